@@ -1,0 +1,11 @@
+# ransmeshing_sources_that_exist(<variable> <class>...): the classes whose .cxx exists already.
+function(ransmeshing_sources_that_exist variable)
+  set(found "")
+  foreach(class IN LISTS ARGN)
+    set(file "${CMAKE_CURRENT_SOURCE_DIR}/${class}.cxx")
+    if(EXISTS "${file}")
+      list(APPEND found ${class})
+    endif()
+  endforeach()
+  set(${variable} "${found}" PARENT_SCOPE)
+endfunction()
