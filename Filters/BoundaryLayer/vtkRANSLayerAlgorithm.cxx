@@ -1,0 +1,143 @@
+#include "vtkRANSLayerAlgorithm.h"
+
+#include "Layers/LayerPlanning.h"
+#include "MeshConversion.h"
+
+#include "vtkFieldData.h"
+
+struct vtkRANSLayerAlgorithm::Internals
+{
+  std::vector<std::string> WallPatterns;
+  std::vector<ransmesh::PatchLayers> PatchLayers;
+};
+
+vtkRANSLayerAlgorithm::vtkRANSLayerAlgorithm()
+  : FirstHeight(0)
+  , GrowthRate(ransmesh::defaults::growthRate)
+  , NumberOfLayers(ransmesh::defaults::numberOfLayers)
+  , TotalThickness(0)
+  , ConstantLayers(ransmesh::defaults::constantLayers)
+  , IsotropicFraction(ransmesh::defaults::isotropicFraction)
+  , NormalAngle(ransmesh::defaults::normalAngle)
+  , FanAngle(ransmesh::defaults::fanAngle)
+  , GapFraction(ransmesh::defaults::gapFraction)
+  , MaximumSurfaceAngle(ransmesh::defaults::maximumSurfaceAngle)
+  , Rules(std::make_unique<Internals>())
+{
+}
+
+vtkRANSLayerAlgorithm::~vtkRANSLayerAlgorithm() = default;
+
+void vtkRANSLayerAlgorithm::AddWallPatch(const char* pattern)
+{
+  if (pattern && *pattern)
+  {
+    this->Rules->WallPatterns.emplace_back(pattern);
+    this->Modified();
+  }
+}
+
+void vtkRANSLayerAlgorithm::ClearWallPatches()
+{
+  this->Rules->WallPatterns.clear();
+  this->Modified();
+}
+
+void vtkRANSLayerAlgorithm::SetPatchLayers(
+  const char* pattern, double firstHeight, double growthRate, int numberOfLayers)
+{
+  if (pattern && *pattern)
+  {
+    this->Rules->PatchLayers.push_back({ pattern, firstHeight, growthRate, numberOfLayers });
+    this->Modified();
+  }
+}
+
+void vtkRANSLayerAlgorithm::ClearPatchLayers()
+{
+  this->Rules->PatchLayers.clear();
+  this->Modified();
+}
+
+bool vtkRANSLayerAlgorithm::UsesRecordedPlan() const
+{
+  return this->FirstHeight == 0 && this->Rules->WallPatterns.empty() && this->Rules->PatchLayers.empty();
+}
+
+void vtkRANSLayerAlgorithm::OverrideRecorded(ransmesh::LayerSpecification& s) const
+{
+  const auto override = [](auto& recorded, auto own, auto byDefault)
+  {
+    if (own != byDefault)
+    {
+      recorded = own;
+    }
+  };
+  override(s.growthRate, this->GrowthRate, ransmesh::defaults::growthRate);
+  override(s.numberOfLayers, this->NumberOfLayers, ransmesh::defaults::numberOfLayers);
+  override(s.constantLayers, this->ConstantLayers, ransmesh::defaults::constantLayers);
+  override(s.isotropicFraction, this->IsotropicFraction, ransmesh::defaults::isotropicFraction);
+  if (this->TotalThickness > 0)
+  {
+    s.numberOfLayers = ransmesh::layersForThickness(s, this->TotalThickness);
+  }
+}
+
+ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& mesh,
+  const std::vector<ransmesh::Patch>& patches, vtkFieldData* recorded,
+  std::vector<ransmesh::LayerSpecification>& plan) const
+{
+  if (this->UsesRecordedPlan())
+  {
+    plan = ransmesh::readPlan(recorded);
+    if (plan.size() == patches.size())
+    {
+      for (std::size_t i = 1; i < plan.size(); ++i)
+      {
+        if (plan[i].hasLayers())
+        {
+          this->OverrideRecorded(plan[i]);
+          if (auto outcome = ransmesh::checkSpecification(plan[i], patches[i].name.c_str()); !outcome.ok())
+          {
+            return outcome;
+          }
+        }
+      }
+      return ransmesh::Outcome::done();
+    }
+  }
+  ransmesh::LayerRequest request;
+  request.general.firstHeight = this->FirstHeight;
+  request.general.growthRate = this->GrowthRate;
+  request.general.numberOfLayers = this->NumberOfLayers;
+  request.general.constantLayers = this->ConstantLayers;
+  request.general.isotropicFraction = this->IsotropicFraction;
+  request.totalThickness = this->TotalThickness;
+  request.wallPatterns = this->Rules->WallPatterns;
+  request.patchLayers = this->Rules->PatchLayers;
+  return ransmesh::planLayers(mesh, patches, request, plan);
+}
+
+void vtkRANSLayerAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FirstHeight: " << this->FirstHeight << "\n";
+  os << indent << "GrowthRate: " << this->GrowthRate << "\n";
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "TotalThickness: " << this->TotalThickness << "\n";
+  os << indent << "ConstantLayers: " << this->ConstantLayers << "\n";
+  os << indent << "IsotropicFraction: " << this->IsotropicFraction << "\n";
+  os << indent << "NormalAngle: " << this->NormalAngle << "\n";
+  os << indent << "FanAngle: " << this->FanAngle << "\n";
+  os << indent << "GapFraction: " << this->GapFraction << "\n";
+  os << indent << "MaximumSurfaceAngle: " << this->MaximumSurfaceAngle << "\n";
+  for (const std::string& pattern : this->Rules->WallPatterns)
+  {
+    os << indent << "WallPatch: " << pattern << "\n";
+  }
+  for (const auto& rule : this->Rules->PatchLayers)
+  {
+    os << indent << "PatchLayers: " << rule.pattern << " " << rule.firstHeight << " " << rule.growthRate << " "
+       << rule.numberOfLayers << "\n";
+  }
+}

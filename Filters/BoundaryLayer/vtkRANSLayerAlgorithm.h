@@ -1,0 +1,170 @@
+/**
+ * @class   vtkRANSLayerAlgorithm
+ * @brief   what the filters that make room for layers, and that make them, have in common
+ *
+ * Holds the layers' specification: which patches are viscous walls, and how the layers on them are to
+ * be. Lengths are in the unit of the surface. What one filter of a chain was told, the next one uses
+ * unless it is told otherwise: the specification travels in the field data. A filter whose FirstHeight
+ * is 0 and that has no wall patches or patch layers of its own takes the specification that came with
+ * its input, changed where its own parameters differ from their defaults.
+ */
+#ifndef vtkRANSLayerAlgorithm_h
+#define vtkRANSLayerAlgorithm_h
+
+#include "RANSMeshingBoundaryLayerModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory>
+#include <vector>
+
+namespace ransmesh
+{
+struct Context;
+struct MeshData;
+struct Outcome;
+struct LayerSpecification;
+struct Patch;
+} // namespace ransmesh
+
+class RANSMESHINGBOUNDARYLAYER_EXPORT vtkRANSLayerAlgorithm : public vtkUnstructuredGridAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkRANSLayerAlgorithm, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Normal spacing of the first layer, h0 > 0, in the unit of the surface. Default 0: not given; it
+   * must be given here, by SetPatchLayers, or by an earlier filter of the chain.
+   */
+  vtkSetMacro(FirstHeight, double);
+  vtkGetMacro(FirstHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of successive spacings, 1 to 10. Default 1.2.
+   */
+  vtkSetMacro(GrowthRate, double);
+  vtkGetMacro(GrowthRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of layers, 1 to 1000. Default 25.
+   */
+  vtkSetMacro(NumberOfLayers, int);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Thickness of all layers together, in the unit of the surface; the number of layers then follows.
+   * Default 0: the thickness follows from the number of layers.
+   */
+  vtkSetMacro(TotalThickness, double);
+  vtkGetMacro(TotalThickness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of first layers that do not grow. Default 0.
+   */
+  vtkSetMacro(ConstantLayers, int);
+  vtkGetMacro(ConstantLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * No point is placed where a level's spacing exceeds this times the local isotropic size (section 3
+   * of Loehner's paper). Default 0.7.
+   */
+  vtkSetMacro(IsotropicFraction, double);
+  vtkGetMacro(IsotropicFraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Wall faces that turn more than this at a point get normals of their own, in degrees, 0 to 180.
+   * Default 30.
+   */
+  vtkSetMacro(NormalAngle, double);
+  vtkGetMacro(NormalAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Opening between the normals of a fan, in degrees. Default 30.
+   */
+  vtkSetMacro(FanAngle, double);
+  vtkGetMacro(FanAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Columns stop at this fraction of the distance to the opposite surface, 0 to 0.5. Default 0.3.
+   */
+  vtkSetMacro(GapFraction, double);
+  vtkGetMacro(GapFraction, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a swap of diagonals may turn the surface, in degrees. Default 10.
+   */
+  vtkSetMacro(MaximumSurfaceAngle, double);
+  vtkGetMacro(MaximumSurfaceAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * The viscous walls, by name, by name with the wildcards * and ?, or by number. A wildcard never
+   * takes patches of type farfield, symmetry, inlet, outlet or interface: these must be named in full.
+   * Without any, the walls are all patches of type wall; if no types are known, every patch that is
+   * not a side of the bounding box.
+   */
+  void AddWallPatch(const char* pattern);
+  void ClearWallPatches();
+  ///@}
+
+  ///@{
+  /**
+   * Layers of their own for the patches that a pattern takes; these are walls then. Later calls win.
+   */
+  void SetPatchLayers(const char* pattern, double firstHeight, double growthRate, int numberOfLayers);
+  void ClearPatchLayers();
+  ///@}
+
+protected:
+  vtkRANSLayerAlgorithm();
+  ~vtkRANSLayerAlgorithm() override;
+
+  /**
+   * The specification of each patch, from the options or from the input's field data.
+   */
+  ransmesh::Outcome PlanLayers(const ransmesh::MeshData& mesh, const std::vector<ransmesh::Patch>& patches,
+    vtkFieldData* recorded, std::vector<ransmesh::LayerSpecification>& plan) const;
+
+  double FirstHeight;
+  double GrowthRate;
+  int NumberOfLayers;
+  double TotalThickness;
+  int ConstantLayers;
+  double IsotropicFraction;
+  double NormalAngle;
+  double FanAngle;
+  double GapFraction;
+  double MaximumSurfaceAngle;
+
+private:
+  vtkRANSLayerAlgorithm(const vtkRANSLayerAlgorithm&) = delete;
+  void operator=(const vtkRANSLayerAlgorithm&) = delete;
+
+  bool UsesRecordedPlan() const;
+  void OverrideRecorded(ransmesh::LayerSpecification& specification) const;
+
+  struct Internals;
+  std::unique_ptr<Internals> Rules;
+};
+
+#endif

@@ -1,0 +1,254 @@
+#include "MeshConversion.h"
+
+#include "PatchFieldData.h"
+
+#include "Geometry/Predicates.h"
+#include "Mesh/FaceMatching.h"
+#include "Mesh/TetMesh.h"
+#include "Support/DataContract.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ransmesh
+{
+namespace
+{
+Outcome checkGrid(vtkUnstructuredGrid* grid)
+{
+  if (!grid || grid->GetNumberOfPoints() == 0 || grid->GetNumberOfCells() == 0)
+  {
+    return Outcome::badInput("the input is empty: connect a tetrahedral mesh");
+  }
+  if (grid->GetNumberOfPoints() > std::numeric_limits<Index>::max() / 8)
+  {
+    return Outcome::badInput("the mesh has too many points for 32-bit numbers");
+  }
+  vtkIdType tets = 0;
+  vtkIdType triangles = 0;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    const int type = grid->GetCellType(c);
+    tets += type == VTK_TETRA;
+    triangles += type == VTK_TRIANGLE;
+    if (type != VTK_TETRA && type != VTK_TRIANGLE)
+    {
+      return Outcome::badInput("cell " + std::to_string(c) + " is of VTK type " + std::to_string(type) +
+        "; the mesh must hold tetrahedra and boundary triangles only: pass it through vtkDataSetTriangleFilter, "
+        "or make it with vtkIsotropicTetMesher");
+    }
+  }
+  if (tets == 0)
+  {
+    return Outcome::badInput("the mesh has no tetrahedra: make it with vtkIsotropicTetMesher");
+  }
+  auto* patchIds = grid->GetCellData()->GetArray(contract::PatchId);
+  if (triangles == 0 || !patchIds || patchIds->GetNumberOfComponents() != 1)
+  {
+    return Outcome::badInput(
+      "the mesh has no boundary triangles with a cell array PatchId (0 on tetrahedra, 1 and more on triangles)");
+  }
+  return Outcome::done();
+}
+
+// Swaps two corners of triangles that are turned inward; triangles off the boundary stay as they are.
+void turnOutward(MeshData& mesh)
+{
+  const FaceMatching matching = matchFaces(mesh);
+  for (std::size_t face = 0; face < matching.opposite.size(); ++face)
+  {
+    const Index other = matching.opposite[face];
+    if (other >= 0 || other == FaceMatching::Unmatched)
+    {
+      continue;
+    }
+    auto& triangle = mesh.triangles[boundaryFaceOf(other)];
+    const auto& tet = mesh.tetrahedra[face / 4];
+    const int* corner = FaceCorners[face % 4];
+    for (int i = 0; i < 3; ++i)
+    {
+      if (triangle[i] == tet[corner[0]] && triangle[(i + 1) % 3] == tet[corner[1]])
+      {
+        std::swap(triangle[1], triangle[2]);
+        break;
+      }
+    }
+  }
+}
+
+template <class Cell>
+bool inRange(const Cell& cell, std::size_t points)
+{
+  return std::all_of(
+    cell.begin(), cell.end(), [points](Index v) { return v >= 0 && static_cast<std::size_t>(v) < points; });
+}
+
+void readPoints(vtkUnstructuredGrid* grid, MeshData& mesh)
+{
+  mesh.points.resize(grid->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    grid->GetPoint(i, x);
+    mesh.points[i] = { x[0], x[1], x[2] };
+  }
+}
+
+Outcome readCells(vtkUnstructuredGrid* grid, MeshData& mesh)
+{
+  auto* patchIds = grid->GetCellData()->GetArray(contract::PatchId);
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* v = nullptr;
+    grid->GetCellPoints(c, size, v);
+    const auto at = [v](int i) { return static_cast<Index>(v[i]); };
+    if (size == 4)
+    {
+      mesh.tetrahedra.push_back({ at(0), at(1), at(2), at(3) });
+      continue;
+    }
+    const double patch = patchIds->GetTuple1(c);
+    if (!(patch >= 1 && patch <= std::numeric_limits<int>::max() / 2) || patch != static_cast<int>(patch))
+    {
+      return Outcome::badInput("triangle " + std::to_string(c) + " has PatchId " + std::to_string(patch) +
+        "; boundary triangles need a whole number of 1 or more");
+    }
+    mesh.triangles.push_back({ at(0), at(1), at(2) });
+    mesh.trianglePatch.push_back(static_cast<int>(patch));
+  }
+  return Outcome::done();
+}
+
+void completePatches(const MeshData& mesh, PatchTable& patches)
+{
+  const int largest = *std::max_element(mesh.trianglePatch.begin(), mesh.trianglePatch.end());
+  for (std::size_t i = patches.size(); i <= static_cast<std::size_t>(largest); ++i)
+  {
+    patches.push_back({ i == 0 ? "fluid" : "patch_" + std::to_string(i), PatchType::Patch });
+  }
+}
+
+template <class Array, class Value>
+void addColumn(vtkFieldData* fieldData, const char* name, const LayerPlan& plan, Value LayerSpecification::*member)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  for (const LayerSpecification& s : plan)
+  {
+    array->InsertNextValue(s.*member);
+  }
+  fieldData->AddArray(array);
+}
+} // namespace
+
+Outcome readMesh(vtkUnstructuredGrid* grid, MeshData& mesh, PatchTable& patches)
+{
+  if (Outcome outcome = checkGrid(grid); !outcome.ok())
+  {
+    return outcome;
+  }
+  mesh = {};
+  readPoints(grid, mesh);
+  if (Outcome outcome = readCells(grid, mesh); !outcome.ok())
+  {
+    return outcome;
+  }
+  const auto valid = [&mesh](const auto& cell) { return inRange(cell, mesh.points.size()); };
+  if (std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), valid) &&
+    std::all_of(mesh.triangles.begin(), mesh.triangles.end(), valid))
+  {
+    turnOutward(mesh);
+  }
+  patches = readPatches(grid->GetFieldData());
+  completePatches(mesh, patches);
+  return Outcome::done();
+}
+
+void writeMesh(const MeshData& mesh, const PatchTable& patches, vtkUnstructuredGrid* grid)
+{
+  grid->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
+  }
+  const auto tets = static_cast<vtkIdType>(mesh.tetrahedra.size());
+  const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
+  vtkNew<vtkCellArray> cells;
+  cells->AllocateExact(tets + triangles, 4 * tets + 3 * triangles);
+  vtkNew<vtkUnsignedCharArray> types;
+  types->SetNumberOfValues(tets + triangles);
+  vtkNew<vtkIntArray> patchIds;
+  patchIds->SetName(contract::PatchId);
+  patchIds->SetNumberOfValues(tets + triangles);
+  for (vtkIdType t = 0; t < tets; ++t)
+  {
+    const auto& v = mesh.tetrahedra[t];
+    cells->InsertNextCell({ v[0], v[1], v[2], v[3] });
+    types->SetValue(t, VTK_TETRA);
+    patchIds->SetValue(t, 0);
+  }
+  for (vtkIdType i = 0; i < triangles; ++i)
+  {
+    const auto& v = mesh.triangles[i];
+    cells->InsertNextCell({ v[0], v[1], v[2] });
+    types->SetValue(tets + i, VTK_TRIANGLE);
+    patchIds->SetValue(tets + i, mesh.trianglePatch[i]);
+  }
+  grid->SetPoints(points);
+  grid->SetCells(types, cells);
+  grid->GetCellData()->AddArray(patchIds);
+  writePatches(patches, grid->GetFieldData());
+}
+
+void writePlan(const LayerPlan& plan, vtkFieldData* fieldData)
+{
+  addColumn<vtkDoubleArray>(fieldData, contract::LayersFirstHeight, plan, &LayerSpecification::firstHeight);
+  addColumn<vtkDoubleArray>(fieldData, contract::LayersGrowthRate, plan, &LayerSpecification::growthRate);
+  addColumn<vtkIntArray>(fieldData, contract::LayersNumber, plan, &LayerSpecification::numberOfLayers);
+  addColumn<vtkIntArray>(fieldData, contract::LayersConstant, plan, &LayerSpecification::constantLayers);
+  addColumn<vtkDoubleArray>(
+    fieldData, contract::LayersIsotropicFraction, plan, &LayerSpecification::isotropicFraction);
+}
+
+LayerPlan readPlan(vtkFieldData* fieldData)
+{
+  vtkDataArray* first = fieldData->GetArray(contract::LayersFirstHeight);
+  vtkDataArray* growth = fieldData->GetArray(contract::LayersGrowthRate);
+  vtkDataArray* number = fieldData->GetArray(contract::LayersNumber);
+  vtkDataArray* constant = fieldData->GetArray(contract::LayersConstant);
+  vtkDataArray* fraction = fieldData->GetArray(contract::LayersIsotropicFraction);
+  LayerPlan plan;
+  if (!first || !growth || !number || !constant || !fraction)
+  {
+    return plan;
+  }
+  const vtkIdType rows = std::min({ first->GetNumberOfTuples(), growth->GetNumberOfTuples(),
+    number->GetNumberOfTuples(), constant->GetNumberOfTuples(), fraction->GetNumberOfTuples() });
+  for (vtkIdType i = 0; i < rows; ++i)
+  {
+    LayerSpecification s;
+    s.firstHeight = first->GetTuple1(i);
+    s.growthRate = growth->GetTuple1(i);
+    s.numberOfLayers = static_cast<int>(number->GetTuple1(i));
+    s.constantLayers = static_cast<int>(constant->GetTuple1(i));
+    s.isotropicFraction = fraction->GetTuple1(i);
+    plan.push_back(s);
+  }
+  return plan;
+}
+} // namespace ransmesh

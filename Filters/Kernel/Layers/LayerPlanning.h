@@ -1,0 +1,45 @@
+// From what the user asked for to a specification for each patch.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Layers/LayerSpecification.h"
+#include "Mesh/MeshData.h"
+
+#include <string>
+#include <vector>
+
+namespace ransmesh
+{
+struct PatchLayers
+{
+  std::string pattern; // a name with the wildcards * and ?, or a number
+  double firstHeight = 0;
+  double growthRate = defaults::growthRate;
+  int numberOfLayers = defaults::numberOfLayers;
+};
+
+struct LayerRequest
+{
+  LayerSpecification general;             // where no patch rule says otherwise
+  double totalThickness = 0;              // > 0: the number of layers follows from it
+  std::vector<std::string> wallPatterns;  // empty: the walls are found by type
+  std::vector<PatchLayers> patchLayers;   // later ones win; a patch named here is a wall
+};
+
+// Does name match the pattern (* any run, ? any one character)?
+bool matchesPattern(std::string_view name, std::string_view pattern);
+
+// The patches that a pattern takes, by number. A number takes that patch, a full name takes every patch
+// so named; a pattern with wildcards never takes patches of type farfield, symmetry, inlet, outlet or
+// interface. Row 0 is never taken.
+std::vector<int> patchesOf(const PatchTable& patches, const std::string& pattern);
+
+// Whether all triangles of the patch lie in one side of the mesh's bounding box; by patch number.
+std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount);
+
+// The plan: walls are the patches named; if none is named, all of type wall; if no types are known
+// (all are `patch`), every patch that is not a side of the bounding box.
+// BadInput where no wall is left, a pattern takes nothing, or a specification is impossible
+// (also: a first height not below the largest extent of the mesh).
+Outcome planLayers(const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan);
+} // namespace ransmesh

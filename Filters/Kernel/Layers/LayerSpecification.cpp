@@ -1,0 +1,70 @@
+#include "Layers/LayerSpecification.h"
+
+#include <cmath>
+#include <string>
+
+namespace ransmesh
+{
+namespace
+{
+double spacingOf(const LayerSpecification& s, int level)
+{
+  return s.firstHeight * std::pow(s.growthRate, std::max(0, level - 1 - s.constantLayers));
+}
+} // namespace
+
+Outcome checkSpecification(const LayerSpecification& s, const char* where)
+{
+  const auto bad = [where](const std::string& text)
+  { return Outcome::badInput("layers on " + std::string(where) + ": " + text); };
+  if (!(s.firstHeight > 0) || !std::isfinite(s.firstHeight))
+  {
+    return bad("the first height is " + std::to_string(s.firstHeight) +
+      "; it must be positive: set FirstHeight, in the length unit of the surface");
+  }
+  if (!(s.growthRate >= 1) || !(s.growthRate <= 10))
+  {
+    return bad("the growth rate is " + std::to_string(s.growthRate) +
+      "; it must lie between 1 and 10 (1.1 to 1.3 is usual): set GrowthRate");
+  }
+  if (s.numberOfLayers < 1 || s.numberOfLayers > MaximumNumberOfLayers)
+  {
+    return bad("the number of layers is " + std::to_string(s.numberOfLayers) + "; it must lie between 1 and " +
+      std::to_string(MaximumNumberOfLayers) + ": set NumberOfLayers");
+  }
+  if (s.constantLayers < 0)
+  {
+    return bad("the number of constant layers is negative: set ConstantLayers to 0 or more");
+  }
+  if (!(s.isotropicFraction > 0))
+  {
+    return bad("the isotropic fraction is " + std::to_string(s.isotropicFraction) +
+      "; it must be positive (0.7 is usual): set IsotropicFraction");
+  }
+  return Outcome::done();
+}
+
+int layersForThickness(const LayerSpecification& s, double thickness)
+{
+  double height = 0;
+  for (int level = 1; level <= MaximumNumberOfLayers; ++level)
+  {
+    const double next = height + spacingOf(s, level);
+    if (next >= thickness)
+    {
+      const bool nextIsCloser = next - thickness <= thickness - height;
+      return std::max(1, nextIsCloser ? level : level - 1);
+    }
+    height = next;
+  }
+  return MaximumNumberOfLayers;
+}
+
+LayerHeights::LayerHeights(const LayerSpecification& s)
+{
+  for (int level = 1; level <= s.numberOfLayers; ++level)
+  {
+    height_.push_back(height_.back() + spacingOf(s, level));
+  }
+}
+} // namespace ransmesh

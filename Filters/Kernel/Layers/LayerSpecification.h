@@ -1,0 +1,62 @@
+// What the layers on a wall are to be, and the heights that follow.
+#pragma once
+
+#include "Support/Outcome.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+// The defaults of the parameters, in one place.
+namespace defaults
+{
+inline constexpr double growthRate = 1.2;
+inline constexpr int numberOfLayers = 25;
+inline constexpr int constantLayers = 0;
+inline constexpr double isotropicFraction = 0.7;
+inline constexpr double normalAngle = 30;         // degrees
+inline constexpr double fanAngle = 30;            // degrees
+inline constexpr double gapFraction = 0.3;
+inline constexpr double maximumSurfaceAngle = 10; // degrees
+} // namespace defaults
+
+struct LayerSpecification
+{
+  double firstHeight = 0;                         // h0 > 0, length units
+  double growthRate = defaults::growthRate;       // g >= 1
+  int numberOfLayers = 0;                         // 0: no layers here
+  int constantLayers = defaults::constantLayers;  // the first layers that do not grow
+  double isotropicFraction = defaults::isotropicFraction; // f of the paper's section 3, > 0
+
+  bool hasLayers() const { return numberOfLayers > 0; }
+};
+
+// Bounds that keep every computation finite; beyond them a specification is an error.
+inline constexpr int MaximumNumberOfLayers = 1000;
+
+// What is wrong with the specification, if anything. where names the patch in the message.
+Outcome checkSpecification(const LayerSpecification& specification, const char* where);
+
+// The number of layers whose thickness comes closest to the one given; at least 1.
+int layersForThickness(const LayerSpecification& specification, double thickness);
+
+// The levels above the wall: height(0) = 0 at the wall, height(count()) = the thickness.
+class LayerHeights
+{
+public:
+  LayerHeights() = default;
+  explicit LayerHeights(const LayerSpecification& specification);
+
+  int count() const { return static_cast<int>(height_.size()) - 1; }
+  double height(int level) const { return height_[level]; }
+  // The distance from level - 1 to level, level >= 1.
+  double spacing(int level) const { return height_[level] - height_[level - 1]; }
+  double thickness() const { return height_.back(); }
+
+private:
+  std::vector<double> height_{ 0.0 };
+};
+
+// Specifications by patch number; row 0, the fluid, has no layers.
+using LayerPlan = std::vector<LayerSpecification>;
+} // namespace ransmesh

@@ -1,0 +1,172 @@
+#include "Mesh/TetMesh.h"
+
+#include <algorithm>
+
+namespace ransmesh
+{
+Index TetMesh::addVertex(const Vector3& x)
+{
+  points_.push_back(x);
+  vertexTet_.push_back(None);
+  return static_cast<Index>(points_.size() - 1);
+}
+
+void TetMesh::removeLastVertices(std::size_t count)
+{
+  points_.resize(points_.size() - count);
+  vertexTet_.resize(vertexTet_.size() - count);
+}
+
+Index TetMesh::addTet(const std::array<Index, 4>& vertices)
+{
+  Index t = None;
+  if (freeTets_.empty())
+  {
+    t = static_cast<Index>(tets_.size());
+    tets_.emplace_back();
+  }
+  else
+  {
+    t = freeTets_.back();
+    freeTets_.pop_back();
+  }
+  tets_[t].vertex = vertices;
+  for (const Index v : vertices)
+  {
+    vertexTet_[v] = t;
+  }
+  return t;
+}
+
+void TetMesh::freeTet(Index t)
+{
+  tets_[t].vertex[0] = None;
+  freeTets_.push_back(t);
+}
+
+Index TetMesh::addBoundaryFace(HalfFace inner, int patch)
+{
+  Index b = None;
+  if (freeBoundary_.empty())
+  {
+    b = static_cast<Index>(boundary_.size());
+    boundary_.emplace_back();
+  }
+  else
+  {
+    b = freeBoundary_.back();
+    freeBoundary_.pop_back();
+  }
+  boundary_[b].patch = patch;
+  link(inner, boundaryHalfFace(b));
+  return b;
+}
+
+void TetMesh::freeBoundaryFace(Index b)
+{
+  boundary_[b].inner = None;
+  freeBoundary_.push_back(b);
+}
+
+void TetMesh::link(HalfFace a, HalfFace b)
+{
+  const auto point = [this](HalfFace from, HalfFace to)
+  {
+    if (isBoundary(from))
+    {
+      boundary_[boundaryFaceOf(from)].inner = to;
+    }
+    else
+    {
+      tets_[tetOf(from)].neighbour[faceOf(from)] = to;
+    }
+  };
+  point(a, b);
+  point(b, a);
+}
+
+Index TetMesh::appendTets(std::size_t count)
+{
+  const auto first = static_cast<Index>(tets_.size());
+  tets_.resize(tets_.size() + count, Tetrahedron{ { None, None, None, None }, {} });
+  return first;
+}
+
+void TetMesh::reserve(std::size_t vertices, std::size_t tets)
+{
+  points_.reserve(vertices);
+  vertexTet_.reserve(vertices);
+  tets_.reserve(tets);
+}
+
+namespace
+{
+std::vector<Index> numberUsedVertices(const TetMesh& mesh, Index& count)
+{
+  std::vector<Index> number(mesh.vertexCount(), None);
+  for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
+  {
+    const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
+    if (tet.isAlive())
+    {
+      for (const Index v : tet.vertex)
+      {
+        number[v] = 0;
+      }
+    }
+  }
+  count = 0;
+  for (Index& n : number)
+  {
+    n = n == None ? None : count++;
+  }
+  return number;
+}
+} // namespace
+
+MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber)
+{
+  Index count = 0;
+  std::vector<Index> number = numberUsedVertices(mesh, count);
+  MeshData data;
+  data.points.resize(count);
+  for (std::size_t v = 0; v < number.size(); ++v)
+  {
+    if (number[v] != None)
+    {
+      data.points[number[v]] = mesh.point(static_cast<Index>(v));
+    }
+  }
+  data.tetrahedra.reserve(mesh.liveTets());
+  for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
+  {
+    const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
+    if (tet.isAlive())
+    {
+      data.tetrahedra.push_back({ number[tet.vertex[0]], number[tet.vertex[1]],
+        number[tet.vertex[2]], number[tet.vertex[3]] });
+    }
+  }
+  std::vector<Index> faces;
+  for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
+  {
+    if (mesh.boundaryFace(static_cast<Index>(b)).isAlive())
+    {
+      faces.push_back(static_cast<Index>(b));
+    }
+  }
+  std::stable_sort(faces.begin(), faces.end(),
+    [&](Index a, Index b) { return mesh.boundaryFace(a).patch < mesh.boundaryFace(b).patch; });
+  for (const Index b : faces)
+  {
+    const auto inward = mesh.boundaryVertices(b);
+    data.triangles.push_back({ number[inward[0]], number[inward[2]], number[inward[1]] });
+    data.trianglePatch.push_back(mesh.boundaryFace(b).patch);
+  }
+  if (newNumber)
+  {
+    newNumber->swap(number);
+  }
+  return data;
+}
+} // namespace ransmesh

@@ -1,0 +1,124 @@
+// A tetrahedral mesh with neighbours and boundary faces, made to be changed locally.
+#pragma once
+
+#include "Mesh/MeshData.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ransmesh
+{
+// The corners of face f (opposite to corner f), turned inward: (corners of f, vertex f) is positive.
+inline constexpr int FaceCorners[4][3] = { { 1, 3, 2 }, { 0, 2, 3 }, { 0, 3, 1 }, { 0, 1, 2 } };
+
+// One side of a face: a face of a tetrahedron (4 * tetrahedron + face), or, negative, a boundary
+// face (-(number + 1)).
+using HalfFace = Index;
+inline constexpr HalfFace halfFace(Index tet, int face)
+{
+  return 4 * tet + face;
+}
+inline constexpr Index tetOf(HalfFace h)
+{
+  return h >> 2;
+}
+inline constexpr int faceOf(HalfFace h)
+{
+  return h & 3;
+}
+inline constexpr bool isBoundary(HalfFace h)
+{
+  return h < 0;
+}
+// The boundary face that a negative half-face names, and back.
+inline constexpr Index boundaryFaceOf(HalfFace h)
+{
+  return -h - 1;
+}
+inline constexpr HalfFace boundaryHalfFace(Index b)
+{
+  return -b - 1;
+}
+
+struct Tetrahedron
+{
+  std::array<Index, 4> vertex;
+  std::array<HalfFace, 4> neighbour;
+
+  bool isAlive() const { return vertex[0] != None; }
+  // The corner at which vertex v stands, or -1.
+  int cornerOf(Index v) const
+  {
+    return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : vertex[3] == v ? 3 : -1;
+  }
+  bool has(Index v) const { return cornerOf(v) >= 0; }
+  // The three vertices of face f, turned inward.
+  std::array<Index, 3> face(int f) const
+  {
+    return { vertex[FaceCorners[f][0]], vertex[FaceCorners[f][1]], vertex[FaceCorners[f][2]] };
+  }
+};
+
+struct BoundaryFace
+{
+  HalfFace inner = None; // the tetrahedron's face that it covers; None when free
+  int patch = 0;
+
+  bool isAlive() const { return inner != None; }
+};
+
+// Vertices, tetrahedra and boundary faces with stable numbers; dead slots are used again.
+class TetMesh
+{
+public:
+  const std::vector<Vector3>& points() const { return points_; }
+  const Vector3& point(Index v) const { return points_[v]; }
+  void movePoint(Index v, const Vector3& x) { points_[v] = x; }
+  // Some tetrahedron at v, or None if v is unused.
+  Index tetAt(Index v) const { return vertexTet_[v]; }
+
+  std::size_t vertexCount() const { return points_.size(); }
+  std::size_t tetSlots() const { return tets_.size(); }
+  std::size_t boundarySlots() const { return boundary_.size(); }
+  std::size_t liveTets() const { return tets_.size() - freeTets_.size(); }
+
+  const Tetrahedron& tet(Index t) const { return tets_[t]; }
+  const BoundaryFace& boundaryFace(Index b) const { return boundary_[b]; }
+  int patchOf(HalfFace h) const { return boundary_[boundaryFaceOf(h)].patch; }
+  // The vertices of boundary face b, turned into the fluid.
+  std::array<Index, 3> boundaryVertices(Index b) const
+  {
+    const HalfFace inner = boundary_[b].inner;
+    return tets_[tetOf(inner)].face(faceOf(inner));
+  }
+
+  // Raw changes, for the operators of this folder and for bulk writing; they keep no invariants.
+  Index addVertex(const Vector3& x);
+  void removeLastVertices(std::size_t count);
+  Index addTet(const std::array<Index, 4>& vertices);
+  void freeTet(Index t);
+  Index addBoundaryFace(HalfFace inner, int patch);
+  void freeBoundaryFace(Index b);
+  void setVertex(Index t, int corner, Index v) { tets_[t].vertex[corner] = v; }
+  void setVertexTet(Index v, Index t) { vertexTet_[v] = t; }
+  // Makes the two half-faces each other's neighbours; at most one may be a boundary face.
+  void link(HalfFace a, HalfFace b);
+  // Appends count dead tetrahedra in one piece, to be filled by fillTet; gives the first number.
+  Index appendTets(std::size_t count);
+  void fillTet(Index t, const Tetrahedron& content) { tets_[t] = content; }
+  void reserve(std::size_t vertices, std::size_t tets);
+
+private:
+  std::vector<Vector3> points_;
+  std::vector<Index> vertexTet_;
+  std::vector<Tetrahedron> tets_;
+  std::vector<Index> freeTets_;
+  std::vector<BoundaryFace> boundary_;
+  std::vector<Index> freeBoundary_;
+};
+
+// The mesh as plain arrays: unused vertices and dead slots dropped, everything else in order of number,
+// triangles sorted by patch. newNumber, if given, receives each vertex's number in the result, or None.
+MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber = nullptr);
+} // namespace ransmesh
