@@ -17,6 +17,8 @@
 #include <memory>
 #include <vector>
 
+class vtkFieldData;
+
 namespace ransmesh
 {
 struct Context;

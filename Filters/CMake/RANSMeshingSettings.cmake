@@ -38,7 +38,7 @@ else()
 endif()
 
 option(RANSMESHING_WARNINGS_AS_ERRORS "Compiler warnings are errors" OFF)
-set(RANSMESHING_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+set(RANSMESHING_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
 if(RANSMESHING_WARNINGS_AS_ERRORS)
   list(APPEND RANSMESHING_WARNINGS -Werror)
 endif()
