@@ -1,0 +1,63 @@
+// Measures of one tetrahedron's shape. Angles are in degrees, lengths in the unit of the points.
+#pragma once
+
+#include "Geometry/Predicates.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ransmesh
+{
+// Volume over the cube of the root-mean-square edge, 1 for the regular tetrahedron. Not above 0 exactly
+// when the tetrahedron is not positive in exact arithmetic.
+inline double quality(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  const Vector3 u = b - a;
+  const Vector3 v = c - a;
+  const Vector3 w = d - a;
+  const Vector3 vu = v - u;
+  const Vector3 wu = w - u;
+  const Vector3 wv = w - v;
+  const double meanSquare = (dot(u, u) + dot(v, v) + dot(w, w) + dot(vu, vu) + dot(wu, wu) + dot(wv, wv)) / 6;
+  const double scale = meanSquare * std::sqrt(meanSquare);
+  if (!(scale > 0))
+  {
+    return 0;
+  }
+  constexpr double regular = 1.4142135623730951; // (edge cubed) / (six volumes) of the regular one
+  const double value = regular * dot(cross(u, v), w) / scale;
+  // Rounding can turn the sign only below this: Shewchuk's bound times the largest permanent.
+  constexpr double certain = 1e-13;
+  if (std::fabs(value) > certain)
+  {
+    return value;
+  }
+  const int sign = orientation(a, b, c, d);
+  return sign > 0 ? std::max(std::fabs(value), 1e-300) : -std::fabs(value);
+}
+
+// The edges of a tetrahedron, by corners, in the order in which the functions below give theirs.
+inline constexpr int EdgeCorners[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+// The six angles between faces, one at each edge, 0 to 180; sound for heights of 1e-8 of the edges and less.
+std::array<double, 6> dihedralAngles(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+
+// The largest of them.
+double largestDihedral(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+
+struct TetrahedronMeasures
+{
+  double volume = 0; // signed, rounded
+  double quality = 0;
+  double longestEdge = 0;
+  double shortestEdge = 0;
+  double smallestHeight = 0;
+  double largestDihedral = 0;
+  double smallestDihedral = 0;
+
+  // Longest edge over smallest height: 1.22 for the regular one. Finite also for a flat one.
+  double stretching() const;
+};
+
+TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+} // namespace ransmesh
