@@ -137,7 +137,7 @@ void vtkRANSLayerAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   }
   for (const auto& rule : this->Rules->PatchLayers)
   {
-    os << indent << "PatchLayers: " << rule.pattern << " " << rule.firstHeight << " " << rule.growthRate << " "
-       << rule.numberOfLayers << "\n";
+    os << indent << "PatchLayers: " << rule.pattern << " " << rule.firstHeight << " " << rule.growthRate
+       << " " << rule.numberOfLayers << "\n";
   }
 }

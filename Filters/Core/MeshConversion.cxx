@@ -45,7 +45,8 @@ Outcome checkGrid(vtkUnstructuredGrid* grid)
     if (type != VTK_TETRA && type != VTK_TRIANGLE)
     {
       return Outcome::badInput("cell " + std::to_string(c) + " is of VTK type " + std::to_string(type) +
-        "; the mesh must hold tetrahedra and boundary triangles only: pass it through vtkDataSetTriangleFilter, "
+        "; the mesh must hold tetrahedra and boundary triangles only: pass it through "
+        "vtkDataSetTriangleFilter, "
         "or make it with vtkIsotropicTetMesher");
     }
   }
@@ -56,8 +57,8 @@ Outcome checkGrid(vtkUnstructuredGrid* grid)
   auto* patchIds = grid->GetCellData()->GetArray(contract::PatchId);
   if (triangles == 0 || !patchIds || patchIds->GetNumberOfComponents() != 1)
   {
-    return Outcome::badInput(
-      "the mesh has no boundary triangles with a cell array PatchId (0 on tetrahedra, 1 and more on triangles)");
+    return Outcome::badInput("the mesh has no boundary triangles with a cell array PatchId (0 on tetrahedra, "
+                             "1 and more on triangles)");
   }
   return Outcome::done();
 }
@@ -141,7 +142,8 @@ void completePatches(const MeshData& mesh, PatchTable& patches)
 }
 
 template <class Array, class Value>
-void addColumn(vtkFieldData* fieldData, const char* name, const LayerPlan& plan, Value LayerSpecification::*member)
+void addColumn(
+  vtkFieldData* fieldData, const char* name, const LayerPlan& plan, Value LayerSpecification::*member)
 {
   vtkNew<Array> array;
   array->SetName(name);

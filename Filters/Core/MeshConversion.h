@@ -22,7 +22,8 @@ RANSMESHINGCORE_EXPORT Outcome readMesh(vtkUnstructuredGrid* grid, MeshData& mes
 
 // Writes the cells of the contract, PatchId and the patch table; grid is emptied first. Triangles must
 // come sorted by patch, as toMeshData gives them.
-RANSMESHINGCORE_EXPORT void writeMesh(const MeshData& mesh, const PatchTable& patches, vtkUnstructuredGrid* grid);
+RANSMESHINGCORE_EXPORT void writeMesh(
+  const MeshData& mesh, const PatchTable& patches, vtkUnstructuredGrid* grid);
 
 // The layers' specification in field data, so that it is entered once in a chain. Reading gives an
 // empty plan where there is none.

@@ -21,8 +21,8 @@ enum class PatchType
   Patch      // a boundary of no stated kind
 };
 
-inline constexpr std::array<std::string_view, 8> PatchTypeNames = { "wall", "symmetry", "farfield",
-  "inlet", "outlet", "wake", "interface", "patch" };
+inline constexpr std::array<std::string_view, 8> PatchTypeNames = { "wall", "symmetry", "farfield", "inlet",
+  "outlet", "wake", "interface", "patch" };
 
 inline std::string_view nameOf(PatchType type)
 {

@@ -77,7 +77,8 @@ std::vector<int> wallsByType(const MeshData& mesh, const PatchTable& patches)
   return walls;
 }
 
-Outcome findWalls(const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall)
+Outcome findWalls(
+  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall)
 {
   isWall.assign(patches.size(), 0);
   const auto take = [&](const std::string& pattern)
@@ -114,8 +115,9 @@ Outcome findWalls(const MeshData& mesh, const PatchTable& patches, const LayerRe
   }
   if (std::none_of(isWall.begin(), isWall.end(), [](char w) { return w != 0; }))
   {
-    return Outcome::badInput("no patch is a viscous wall: name the walls with AddWallPatch, or give patches the type "
-                             "wall; the patches are: " +
+    return Outcome::badInput(
+      "no patch is a viscous wall: name the walls with AddWallPatch, or give patches the type "
+      "wall; the patches are: " +
       listOfNames(patches));
   }
   return Outcome::done();
@@ -215,7 +217,8 @@ std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount)
   return isSide;
 }
 
-Outcome planLayers(const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan)
+Outcome planLayers(
+  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan)
 {
   std::vector<char> isWall;
   if (Outcome outcome = findWalls(mesh, patches, request, isWall); !outcome.ok())

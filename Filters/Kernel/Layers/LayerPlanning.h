@@ -20,10 +20,10 @@ struct PatchLayers
 
 struct LayerRequest
 {
-  LayerSpecification general;             // where no patch rule says otherwise
-  double totalThickness = 0;              // > 0: the number of layers follows from it
-  std::vector<std::string> wallPatterns;  // empty: the walls are found by type
-  std::vector<PatchLayers> patchLayers;   // later ones win; a patch named here is a wall
+  LayerSpecification general;            // where no patch rule says otherwise
+  double totalThickness = 0;             // > 0: the number of layers follows from it
+  std::vector<std::string> wallPatterns; // empty: the walls are found by type
+  std::vector<PatchLayers> patchLayers;  // later ones win; a patch named here is a wall
 };
 
 // Does name match the pattern (* any run, ? any one character)?
@@ -41,5 +41,6 @@ std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount);
 // (all are `patch`), every patch that is not a side of the bounding box.
 // BadInput where no wall is left, a pattern takes nothing, or a specification is impossible
 // (also: a first height not below the largest extent of the mesh).
-Outcome planLayers(const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan);
+Outcome planLayers(
+  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan);
 } // namespace ransmesh

@@ -29,8 +29,8 @@ Outcome checkSpecification(const LayerSpecification& s, const char* where)
   }
   if (s.numberOfLayers < 1 || s.numberOfLayers > MaximumNumberOfLayers)
   {
-    return bad("the number of layers is " + std::to_string(s.numberOfLayers) + "; it must lie between 1 and " +
-      std::to_string(MaximumNumberOfLayers) + ": set NumberOfLayers");
+    return bad("the number of layers is " + std::to_string(s.numberOfLayers) +
+      "; it must lie between 1 and " + std::to_string(MaximumNumberOfLayers) + ": set NumberOfLayers");
   }
   if (s.constantLayers < 0)
   {

@@ -14,18 +14,18 @@ inline constexpr double growthRate = 1.2;
 inline constexpr int numberOfLayers = 25;
 inline constexpr int constantLayers = 0;
 inline constexpr double isotropicFraction = 0.7;
-inline constexpr double normalAngle = 30;         // degrees
-inline constexpr double fanAngle = 30;            // degrees
+inline constexpr double normalAngle = 30; // degrees
+inline constexpr double fanAngle = 30;    // degrees
 inline constexpr double gapFraction = 0.3;
 inline constexpr double maximumSurfaceAngle = 10; // degrees
 } // namespace defaults
 
 struct LayerSpecification
 {
-  double firstHeight = 0;                         // h0 > 0, length units
-  double growthRate = defaults::growthRate;       // g >= 1
-  int numberOfLayers = 0;                         // 0: no layers here
-  int constantLayers = defaults::constantLayers;  // the first layers that do not grow
+  double firstHeight = 0;                                 // h0 > 0, length units
+  double growthRate = defaults::growthRate;               // g >= 1
+  int numberOfLayers = 0;                                 // 0: no layers here
+  int constantLayers = defaults::constantLayers;          // the first layers that do not grow
   double isotropicFraction = defaults::isotropicFraction; // f of the paper's section 3, > 0
 
   bool hasLayers() const { return numberOfLayers > 0; }

@@ -53,8 +53,10 @@ public:
     }
     entries_.resize(start_.back());
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    forEach(mesh, [&](const std::array<Index, 3>& f, Index code)
-      { entries_[next[f[0]]++] = { f[1], f[2], code }; });
+    forEach(mesh,
+      [&](const std::array<Index, 3>& f, Index code) {
+        entries_[next[f[0]]++] = { f[1], f[2], code };
+      });
   }
   std::size_t count() const { return start_.size() - 1; }
   // The entries of one bucket, equal faces side by side, tetrahedra before triangles.
@@ -63,9 +65,10 @@ public:
     std::sort(entries_.begin() + start_[bucket], entries_.begin() + start_[bucket + 1],
       [](const Entry& a, const Entry& b)
       {
-        return a.middle != b.middle ? a.middle < b.middle
-          : a.largest != b.largest  ? a.largest < b.largest
-                                    : (a.code >= 0) != (b.code >= 0) ? a.code >= 0 : a.code < b.code;
+        return a.middle != b.middle        ? a.middle < b.middle
+          : a.largest != b.largest         ? a.largest < b.largest
+          : (a.code >= 0) != (b.code >= 0) ? a.code >= 0
+                                           : a.code < b.code;
       });
     return entries_.data() + start_[bucket];
   }

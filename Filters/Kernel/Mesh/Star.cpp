@@ -105,7 +105,8 @@ void Star::collectFaces(const Cavity& cavity, Index apex)
 bool Star::allPositive(Index apex) const
 {
   const Vector3& q = mesh_.point(apex);
-  return std::all_of(newTets_.begin(), newTets_.end(), [&](const std::array<Index, 4>& v)
+  return std::all_of(newTets_.begin(), newTets_.end(),
+    [&](const std::array<Index, 4>& v)
     { return isPositive(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), q); });
 }
 
@@ -125,7 +126,8 @@ bool Star::pairEdges(Index apex)
       }
     }
   }
-  std::sort(edges_.begin(), edges_.end(), [](const EdgeUse& a, const EdgeUse& b)
+  std::sort(edges_.begin(), edges_.end(),
+    [](const EdgeUse& a, const EdgeUse& b)
     { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
   if (edges_.size() % 2 != 0)
   {

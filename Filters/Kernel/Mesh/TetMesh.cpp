@@ -143,8 +143,8 @@ MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber)
     const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
     if (tet.isAlive())
     {
-      data.tetrahedra.push_back({ number[tet.vertex[0]], number[tet.vertex[1]],
-        number[tet.vertex[2]], number[tet.vertex[3]] });
+      data.tetrahedra.push_back(
+        { number[tet.vertex[0]], number[tet.vertex[1]], number[tet.vertex[2]], number[tet.vertex[3]] });
     }
   }
   std::vector<Index> faces;

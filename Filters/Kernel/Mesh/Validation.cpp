@@ -59,8 +59,8 @@ void checkPoints(const MeshData& mesh, MeshFaults& faults)
   }
   std::vector<Index> order(p.size());
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&p](Index a, Index b)
-    { return std::tie(p[a].x, p[a].y, p[a].z) < std::tie(p[b].x, p[b].y, p[b].z); });
+  std::sort(order.begin(), order.end(),
+    [&p](Index a, Index b) { return std::tie(p[a].x, p[a].y, p[a].z) < std::tie(p[b].x, p[b].y, p[b].z); });
   for (std::size_t i = 1; i < order.size(); ++i)
   {
     if (p[order[i - 1]] == p[order[i]])
@@ -125,9 +125,9 @@ void checkFaces(const MeshData& mesh, MeshFaults& faults, FaceMatching& matching
 
 bool MeshFaults::none() const
 {
-  return !indicesOutOfRange && !pointsNotFinite && !pointsCoincident && !pointsUnused &&
-    !tetsNotPositive && !facesInMoreThanTwoTets && !facesWithoutTriangle &&
-    !trianglesOffTheBoundary && !repeatedTriangles && !trianglesTurnedInward && !brokenLinks;
+  return !indicesOutOfRange && !pointsNotFinite && !pointsCoincident && !pointsUnused && !tetsNotPositive &&
+    !facesInMoreThanTwoTets && !facesWithoutTriangle && !trianglesOffTheBoundary && !repeatedTriangles &&
+    !trianglesTurnedInward && !brokenLinks;
 }
 
 std::string MeshFaults::text() const
@@ -189,7 +189,10 @@ MeshFaults findFaults(const TetMesh& mesh)
   MeshFaults faults = findFaults(toMeshData(mesh));
   faults.pointsUnused = 0; // vertices under change may be unused for a while
   const auto sideOf = [&mesh](HalfFace h)
-  { return isBoundary(h) ? mesh.boundaryFace(boundaryFaceOf(h)).inner : mesh.tet(tetOf(h)).neighbour[faceOf(h)]; };
+  {
+    return isBoundary(h) ? mesh.boundaryFace(boundaryFaceOf(h)).inner
+                         : mesh.tet(tetOf(h)).neighbour[faceOf(h)];
+  };
   for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
   {
     const auto tet = static_cast<Index>(t);

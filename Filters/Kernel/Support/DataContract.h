@@ -5,29 +5,30 @@
 namespace ransmesh::contract
 {
 // Cell data of the mesh.
-inline constexpr const char* PatchId = "PatchId";   // int; 0 on tetrahedra, >= 1 on boundary triangles
-inline constexpr const char* LayerId = "LayerId";   // int; 0 none, else 1 at the wall, counting outward
-inline constexpr const char* PrismId = "PrismId";   // id; tetrahedra of one prism share a number, -1 none
+inline constexpr const char* PatchId = "PatchId"; // int; 0 on tetrahedra, >= 1 on boundary triangles
+inline constexpr const char* LayerId = "LayerId"; // int; 0 none, else 1 at the wall, counting outward
+inline constexpr const char* PrismId = "PrismId"; // id; tetrahedra of one prism share a number, -1 none
 // Point data of the mesh.
 inline constexpr const char* ColumnId = "ColumnId"; // id; points of one column share a number, -1 none
 // Field data of the mesh, indexed by patch number; row 0 is the fluid.
 inline constexpr const char* PatchNames = "PatchNames"; // string
 inline constexpr const char* PatchTypes = "PatchTypes"; // string
 // Field data: what the layers were asked to be, a row per patch (0 rows where a patch has no layers).
-inline constexpr const char* LayersFirstHeight = "LayersFirstHeight";         // double, length units
-inline constexpr const char* LayersGrowthRate = "LayersGrowthRate";           // double
-inline constexpr const char* LayersNumber = "LayersNumber";                   // int, 0: no layers here
-inline constexpr const char* LayersConstant = "LayersConstant";               // int
+inline constexpr const char* LayersFirstHeight = "LayersFirstHeight";             // double, length units
+inline constexpr const char* LayersGrowthRate = "LayersGrowthRate";               // double
+inline constexpr const char* LayersNumber = "LayersNumber";                       // int, 0: no layers here
+inline constexpr const char* LayersConstant = "LayersConstant";                   // int
 inline constexpr const char* LayersIsotropicFraction = "LayersIsotropicFraction"; // double
 // Field data of the mesher's output.
-inline constexpr const char* MesherSwitches = "MesherSwitches"; // string: the switches that TetGen was run with
+inline constexpr const char* MesherSwitches =
+  "MesherSwitches"; // string: the switches that TetGen was run with
 // Point data of the boundary output of the enrichment, at wall points.
 inline constexpr const char* LayersAsked = "LayersAsked";                 // int
 inline constexpr const char* LayersAchieved = "LayersAchieved";           // int
 inline constexpr const char* FirstHeightAsked = "FirstHeightAsked";       // double
 inline constexpr const char* FirstHeightAchieved = "FirstHeightAchieved"; // double
-inline constexpr const char* StopReason = "StopReason";                   // int, an index into StopReasonNames
-inline constexpr const char* StopReasonNames = "StopReasonNames";         // field data, string
+inline constexpr const char* StopReason = "StopReason";           // int, an index into StopReasonNames
+inline constexpr const char* StopReasonNames = "StopReasonNames"; // field data, string
 // Cell data of the mesher's second output.
 inline constexpr const char* Reason = "Reason";           // int, an index into ReasonNames
 inline constexpr const char* ReasonNames = "ReasonNames"; // field data, string

@@ -1,0 +1,110 @@
+#include "Insertion/BaseFaces.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ransmesh
+{
+bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace)
+{
+  const int patch = mesh.boundaryFace(boundaryFace).patch;
+  for (const Index v : mesh.boundaryVertices(boundaryFace))
+  {
+    const Index c = set.standingAt(v);
+    if (c != None && !set.columns[c].staysIn(patch))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set)
+{
+  std::vector<BaseFace> faces;
+  for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
+  {
+    const auto b = static_cast<Index>(i);
+    if (!mesh.boundaryFace(b).isAlive() || !carriesLayers(mesh, set, b))
+    {
+      continue;
+    }
+    BaseFace face;
+    face.face = b;
+    face.patch = mesh.boundaryFace(b).patch;
+    face.vertex = mesh.boundaryVertices(b);
+    for (int j = 0; j < 3; ++j)
+    {
+      face.column[j] = set.standingAt(face.vertex[j]);
+      face.rise[j] = j;
+    }
+    std::sort(
+      face.rise.begin(), face.rise.end(), [&face](int j, int k) { return face.column[j] < face.column[k]; });
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+namespace
+{
+struct EdgeOfFace
+{
+  Index low;
+  Index high;
+  Index base; // number in the list of base faces, or None for a face beside them
+  int corner; // opposite to the edge
+  int patch;
+};
+
+void addEdges(const std::array<Index, 3>& vertex, Index base, int patch, std::vector<EdgeOfFace>& edges)
+{
+  for (int j = 0; j < 3; ++j)
+  {
+    const Index a = vertex[(j + 1) % 3];
+    const Index b = vertex[(j + 2) % 3];
+    edges.push_back({ std::min(a, b), std::max(a, b), base, j, patch });
+  }
+}
+} // namespace
+
+void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>& faces)
+{
+  // Only faces at columns that stay in a side can meet a side face.
+  const auto atSide = [&set](const std::array<Index, 3>& vertex)
+  {
+    return std::any_of(vertex.begin(), vertex.end(),
+      [&set](Index v)
+      {
+        const Index c = set.standingAt(v);
+        return c != None && set.columns[c].sides[0] != 0;
+      });
+  };
+  std::vector<EdgeOfFace> edges;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (atSide(faces[i].vertex))
+    {
+      addEdges(faces[i].vertex, static_cast<Index>(i), faces[i].patch, edges);
+    }
+  }
+  for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
+  {
+    const auto b = static_cast<Index>(i);
+    if (mesh.boundaryFace(b).isAlive() && atSide(mesh.boundaryVertices(b)) && !carriesLayers(mesh, set, b))
+    {
+      addEdges(mesh.boundaryVertices(b), None, mesh.boundaryFace(b).patch, edges);
+    }
+  }
+  std::sort(edges.begin(), edges.end(),
+    [](const EdgeOfFace& a, const EdgeOfFace& b)
+    { return std::tie(a.low, a.high, a.base) < std::tie(b.low, b.high, b.base); });
+  for (std::size_t i = 0; i + 1 < edges.size(); ++i)
+  {
+    const bool same = edges[i].low == edges[i + 1].low && edges[i].high == edges[i + 1].high;
+    if (same && edges[i].base == None && edges[i + 1].base != None)
+    {
+      faces[edges[i + 1].base].sideOpposite[edges[i + 1].corner] = edges[i].patch;
+    }
+  }
+}
+} // namespace ransmesh

@@ -1,0 +1,164 @@
+#include "Insertion/EnrichedOutput.h"
+
+#include "Insertion/LayerStacks.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ransmesh
+{
+namespace
+{
+// Wall vertices are their columns' tops in the mesh beyond: the wall itself keeps the old numbers, the
+// tops get those of their columns' last levels.
+void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, MeshData& data)
+{
+  std::vector<Index> topOf(data.points.size());
+  std::iota(topOf.begin(), topOf.end(), 0);
+  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  {
+    const Column& c = set.columns[i];
+    if (c.levels > 0)
+    {
+      topOf[baseNumber[c.vertex]] = numbers.at(static_cast<Index>(i), c.levels);
+    }
+  }
+  for (auto& tet : data.tetrahedra)
+  {
+    for (Index& v : tet)
+    {
+      v = topOf[v];
+    }
+  }
+  // Triangles that carry layers stay on the wall, all others go with the front.
+  std::vector<Index> order;
+  for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
+  {
+    if (mesh.boundaryFace(static_cast<Index>(b)).isAlive())
+    {
+      order.push_back(static_cast<Index>(b));
+    }
+  }
+  data.triangles.clear();
+  data.trianglePatch.clear();
+  for (const Index b : order)
+  {
+    const auto inward = mesh.boundaryVertices(b);
+    std::array<Index, 3> outward = { baseNumber[inward[0]], baseNumber[inward[2]], baseNumber[inward[1]] };
+    if (!carriesLayers(mesh, set, b))
+    {
+      for (Index& v : outward)
+      {
+        v = topOf[v];
+      }
+    }
+    data.triangles.push_back(outward);
+    data.trianglePatch.push_back(mesh.boundaryFace(b).patch);
+  }
+}
+
+void addColumnPoints(
+  const TetMesh& mesh, const ColumnSet& set, const std::vector<Index>& baseNumber, EnrichedMesh& result)
+{
+  auto& points = result.mesh.points;
+  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  {
+    const Column& c = set.columns[i];
+    const Index base = baseNumber[c.vertex];
+    points[base] = c.base;
+    result.column[base] = static_cast<Index>(i);
+    for (int level = 1; level <= c.levels; ++level)
+    {
+      points.push_back(level == c.levels ? mesh.point(c.vertex) : set.pointAt(c, level));
+      result.column.push_back(static_cast<Index>(i));
+      result.origin.push_back(c.vertex);
+    }
+  }
+}
+
+void sortTrianglesByPatch(MeshData& data)
+{
+  std::vector<Index> order(data.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&data](Index a, Index b) { return data.trianglePatch[a] < data.trianglePatch[b]; });
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<int> patch;
+  for (const Index i : order)
+  {
+    triangles.push_back(data.triangles[i]);
+    patch.push_back(data.trianglePatch[i]);
+  }
+  data.triangles.swap(triangles);
+  data.trianglePatch.swap(patch);
+}
+
+void appendStacks(StackOutput& stacks, EnrichedMesh& result)
+{
+  MeshData& data = result.mesh;
+  result.layer.assign(data.tetrahedra.size(), 0);
+  result.prism.assign(data.tetrahedra.size(), None);
+  data.tetrahedra.insert(data.tetrahedra.end(), stacks.tetrahedra.begin(), stacks.tetrahedra.end());
+  result.layer.insert(result.layer.end(), stacks.layer.begin(), stacks.layer.end());
+  result.prism.insert(result.prism.end(), stacks.prism.begin(), stacks.prism.end());
+  data.triangles.insert(data.triangles.end(), stacks.sideTriangles.begin(), stacks.sideTriangles.end());
+  data.trianglePatch.insert(data.trianglePatch.end(), stacks.sidePatch.begin(), stacks.sidePatch.end());
+  sortTrianglesByPatch(data);
+}
+
+void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMesh& result)
+{
+  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  {
+    const Column& c = set.columns[i];
+    const LayerHeights& heights = set.heightsOf(c);
+    WallPoint point;
+    point.point = numbers.at(static_cast<Index>(i), 0);
+    point.patch = c.patch;
+    point.layersAsked = c.asked;
+    point.layersAchieved = c.levels;
+    point.firstHeightAsked = heights.count() > 0 ? heights.height(1) : 0;
+    if (c.levels > 0)
+    {
+      // The direction is scaled to rise by one, so the step's share of it is the height.
+      const Vector3 step = result.mesh.points[numbers.at(static_cast<Index>(i), 1)] - c.base;
+      point.firstHeightAchieved = dot(step, c.direction) / dot(c.direction, c.direction);
+    }
+    point.reason = c.reason;
+    result.wallPoints.push_back(point);
+    ++result.report.columnsByReason[static_cast<std::size_t>(c.reason)];
+    result.report.pointsInserted += static_cast<std::size_t>(c.levels);
+  }
+}
+} // namespace
+
+std::vector<Index> writeEnriched(
+  const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces, EnrichedMesh& result)
+{
+  std::vector<Index> baseNumber;
+  result.mesh = toMeshData(mesh, &baseNumber);
+  const std::size_t oldPoints = result.mesh.points.size();
+  result.column.assign(oldPoints, None);
+  result.origin.assign(oldPoints, None);
+  for (std::size_t v = 0; v < baseNumber.size(); ++v)
+  {
+    if (baseNumber[v] != None)
+    {
+      result.origin[baseNumber[v]] = static_cast<Index>(v);
+    }
+  }
+  const ColumnPoints numbers(set, baseNumber, oldPoints);
+  addColumnPoints(mesh, set, baseNumber, result);
+  StackOutput stacks = writeStacks(set, faces, numbers, baseNumber, result.mesh.points);
+  if (!stacks.folded.empty())
+  {
+    return stacks.folded;
+  }
+  separateWallFromFront(mesh, set, numbers, baseNumber, result.mesh);
+  appendStacks(stacks, result);
+  reportColumns(set, numbers, result);
+  result.report.layerTets = stacks.tetrahedra.size();
+  return {};
+}
+} // namespace ransmesh

@@ -1,0 +1,106 @@
+#include "Insertion/Enrichment.h"
+
+#include "Insertion/EnrichedOutput.h"
+#include "Layers/ColumnBuilder.h"
+#include "Layers/ColumnLimits.h"
+#include "Mesh/Builder.h"
+#include "Mesh/Validation.h"
+
+#include <algorithm>
+
+namespace ransmesh
+{
+namespace
+{
+constexpr int MostRestarts = 20;
+
+// Levels that an earlier attempt found to fold, by vertex.
+using LevelCaps = std::vector<int>;
+
+ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
+  const EnrichmentOptions& options, const LevelCaps& caps)
+{
+  const BoundaryStars stars(mesh);
+  ColumnSet set = buildColumns(mesh, stars, patches, plan);
+  limitByIsotropicSize(plan, set);
+  limitByGap(mesh, stars, options.gapFraction, set);
+  limitBySlope(mesh, stars, set);
+  for (Column& c : set.columns)
+  {
+    c.limit(caps[c.vertex], StopReason::Refused);
+  }
+  settleDisagreements(mesh, set);
+  return set;
+}
+
+std::size_t countPoints(const ColumnSet& set)
+{
+  std::size_t count = 0;
+  for (const Column& c : set.columns)
+  {
+    count += static_cast<std::size_t>(c.levels);
+  }
+  return count;
+}
+
+// Halves the columns of the stacks that fold, for the next attempt.
+void lowerFolded(
+  const ColumnSet& set, const std::vector<BaseFace>& faces, const std::vector<Index>& folded, LevelCaps& caps)
+{
+  for (const Index face : folded)
+  {
+    for (const Index c : faces[face].column)
+    {
+      if (c != None)
+      {
+        caps[set.columns[c].vertex] = set.columns[c].levels / 2;
+      }
+    }
+  }
+}
+} // namespace
+
+Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan& plan,
+  const EnrichmentOptions& options, const Context& context, EnrichedMesh& result)
+{
+  if (!(options.gapFraction > 0 && options.gapFraction <= 0.5))
+  {
+    return Outcome::badInput("the gap fraction is " + std::to_string(options.gapFraction) +
+      "; it must lie above 0 and not exceed 0.5: set GapFraction");
+  }
+  TetMesh original;
+  if (Outcome outcome = buildTetMesh(input, original); !outcome.ok())
+  {
+    return outcome;
+  }
+  const Classification classes = classify(original, patches);
+  LevelCaps caps(original.vertexCount(), MaximumNumberOfLayers);
+  for (int attempt = 0; attempt < MostRestarts; ++attempt)
+  {
+    context.report(0.1, "planning columns");
+    TetMesh mesh = original;
+    EnrichedMesh enriched;
+    ColumnSet set = planColumns(mesh, patches, plan, options, caps);
+    enriched.report.restarts = attempt;
+    enriched.report.columns = set.columns.size();
+    enriched.report.pointsRequested = countPoints(set);
+    if (!raiseFront(mesh, set, classes, context, enriched.report.raising))
+    {
+      return Outcome::cancelled();
+    }
+    context.report(0.7, "writing the layers");
+    std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+    findSides(mesh, set, faces);
+    const std::vector<Index> folded = writeEnriched(mesh, set, faces, enriched);
+    if (folded.empty())
+    {
+      result = std::move(enriched);
+      return Outcome::done();
+    }
+    context.remark(std::to_string(folded.size()) + " stacks of layers fold; their columns are lowered");
+    lowerFolded(set, faces, folded, caps);
+  }
+  return Outcome::internalFault("the layers still fold after " + std::to_string(MostRestarts) +
+    " attempts; nothing was written. Ask for a smaller total thickness");
+}
+} // namespace ransmesh

@@ -1,0 +1,79 @@
+#include "Insertion/Front.h"
+
+#include "Geometry/Predicates.h"
+
+#include <algorithm>
+
+namespace ransmesh
+{
+Front::Front(const TetMesh& mesh, const ColumnSet& set)
+  : mesh_(mesh)
+  , set_(set)
+  , share_(set.columns.size(), 0)
+  , faces_(collectBaseFaces(mesh, set))
+  , start_(set.columns.size() + 1, 0)
+{
+  const auto forEach = [this](auto visit)
+  {
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      for (const Index c : faces_[i].column)
+      {
+        if (c != None)
+        {
+          visit(c, static_cast<Index>(i));
+        }
+      }
+    }
+  };
+  forEach([this](Index c, Index) { ++start_[c + 1]; });
+  for (std::size_t i = 1; i < start_.size(); ++i)
+  {
+    start_[i] += start_[i - 1];
+  }
+  facesAt_.resize(start_.back());
+  std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
+  forEach([&](Index c, Index face) { facesAt_[next[c]++] = face; });
+}
+
+Vector3 Front::position(Index column, double share) const
+{
+  const Column& c = set_.columns[column];
+  return share >= 1 ? set_.pointAt(c, c.levels) : c.base + (share * set_.thickness(c)) * c.direction;
+}
+
+bool Front::slabAllows(Index column, const Vector3& x) const
+{
+  return std::all_of(facesAt_.begin() + start_[column], facesAt_.begin() + start_[column + 1],
+    [&](Index face) { return slabIsPositive(faces_[face], column, x); });
+}
+
+bool Front::slabIsPositive(const BaseFace& face) const
+{
+  return slabIsPositive(face, None, {});
+}
+
+bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const
+{
+  std::array<Vector3, 3> current;
+  for (int j = 0; j < 3; ++j)
+  {
+    current[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
+  }
+  for (const int corner : face.rise)
+  {
+    const Index c = face.column[corner];
+    if (c == None || (c != moved && share_[c] == 0))
+    {
+      continue;
+    }
+    const Vector3& top = c == moved ? x : mesh_.point(face.vertex[corner]);
+    if (!isPositive(current[0], current[1], current[2], top))
+    {
+      return false;
+    }
+    current[corner] = top;
+  }
+  return true;
+}
+} // namespace ransmesh

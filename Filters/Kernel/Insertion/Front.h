@@ -1,0 +1,44 @@
+// The front: the tops of all columns, which carry a copy of the wall's triangles into the volume.
+//
+// While the front rises, the mesh holds only what lies beyond it: the wall's vertices themselves move
+// out along their columns, and the wall's boundary faces move with them. The slab between the wall and
+// the front is known in closed form (LayerStacks.h) and is not part of the mesh yet.
+#pragma once
+
+#include "Boundary/Classification.h"
+#include "Insertion/BaseFaces.h"
+#include "Layers/Column.h"
+#include "Mesh/TetMesh.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+class Front
+{
+public:
+  Front(const TetMesh& mesh, const ColumnSet& set);
+
+  // The share of its height that a column's top has reached, 0 to 1.
+  double share(Index column) const { return share_[column]; }
+  void setShare(Index column, double share) { share_[column] = share; }
+  // Where a column's top stands at that share of its height. At 1 these are exactly the coordinates
+  // of the column's last level.
+  Vector3 position(Index column, double share) const;
+  // Would the slab below the column's faces be positive, with its top at x and all others where they are?
+  bool slabAllows(Index column, const Vector3& x) const;
+  // The same for one face, all tops where they are.
+  bool slabIsPositive(const BaseFace& face) const;
+  const std::vector<BaseFace>& faces() const { return faces_; }
+
+private:
+  bool slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const;
+
+  const TetMesh& mesh_;
+  const ColumnSet& set_;
+  std::vector<double> share_;
+  std::vector<BaseFace> faces_;
+  std::vector<std::size_t> start_; // of each column in facesAt_
+  std::vector<Index> facesAt_;
+};
+} // namespace ransmesh

@@ -1,0 +1,184 @@
+#include "Insertion/FrontMoves.h"
+
+#include "Geometry/TetrahedronMeasures.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ransmesh
+{
+namespace
+{
+// A move that makes nothing much worse needs no new connectivity.
+constexpr double QualityKept = 0.9;
+constexpr double FlattestKept = 0.01;
+} // namespace
+
+FrontMoves::FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification& classes, Front& front)
+  : mesh_(mesh)
+  , set_(set)
+  , classes_(classes)
+  , front_(front)
+  , star_(mesh)
+  , traversal_(mesh)
+{
+}
+
+double FrontMoves::worstQuality(const std::vector<Index>& tets) const
+{
+  double worst = std::numeric_limits<double>::infinity();
+  for (const Index t : tets)
+  {
+    const auto& v = mesh_.tet(t).vertex;
+    worst =
+      std::min(worst, quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])));
+  }
+  return worst;
+}
+
+MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& effort)
+{
+  if (!front_.slabAllows(column, x))
+  {
+    return MoveVerdict::SlabFolds;
+  }
+  const Column& c = set_.columns[column];
+  traversal_.ball(c.vertex, ball_);
+  const double before = worstQuality(ball_);
+  const Vector3 old = mesh_.point(c.vertex);
+  mesh_.movePoint(c.vertex, x);
+  const double after = worstQuality(ball_);
+  if (after > GoodQuality || (after >= QualityKept * before && after > FlattestKept))
+  {
+    return MoveVerdict::Moved;
+  }
+  if (restar(c, std::max(after, effort.leastQuality), effort.cavityGrowth))
+  {
+    return MoveVerdict::Restarred;
+  }
+  if (after > effort.leastQuality)
+  {
+    return MoveVerdict::Moved;
+  }
+  mesh_.movePoint(c.vertex, old);
+  return MoveVerdict::NoRoom;
+}
+
+// Stars the ball of the column's top, which stands at its new place already, from the vertex that
+// leaves the best tetrahedra; the cavity grows through faces below the quality wanted. Isotropic points
+// inside vanish.
+bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth)
+{
+  Cavity best;
+  Index bestApex = None;
+  for (const Index apex : apexCandidates(column.vertex))
+  {
+    double worst = 0;
+    if (!buildCavity(column, apex, wanted, growth, worst) || !(worst > wanted) ||
+      star_.check(cavity_, apex) != StarVerdict::Possible || !mayLose(column, apex))
+    {
+      continue;
+    }
+    wanted = worst;
+    best = cavity_;
+    bestApex = apex;
+  }
+  if (bestApex == None || star_.check(best, bestApex) != StarVerdict::Possible)
+  {
+    return false;
+  }
+  star_.apply();
+  return true;
+}
+
+std::vector<Index> FrontMoves::apexCandidates(Index vertex) const
+{
+  std::vector<Index> candidates{ vertex };
+  for (const Index t : ball_)
+  {
+    for (const Index v : mesh_.tet(t).vertex)
+    {
+      if (std::find(candidates.begin(), candidates.end(), v) == candidates.end())
+      {
+        candidates.push_back(v);
+      }
+    }
+  }
+  return candidates;
+}
+
+bool FrontMoves::isStarred(const Column& column, Index apex, HalfFace beyond) const
+{
+  return isBoundary(beyond) && apex == column.vertex && column.staysIn(mesh_.patchOf(beyond));
+}
+
+bool FrontMoves::buildCavity(
+  const Column& column, Index apex, double wanted, std::size_t growth, double& worst)
+{
+  cavity_.tets = ball_;
+  inCavity_.clear(mesh_.tetSlots());
+  for (const Index t : ball_)
+  {
+    inCavity_.set(t);
+  }
+  for (bool grown = true; grown;)
+  {
+    grown = false;
+    worst = std::numeric_limits<double>::infinity();
+    cavity_.starredFaces.clear();
+    for (std::size_t i = 0; i < cavity_.tets.size(); ++i)
+    {
+      const Tetrahedron& tet = mesh_.tet(cavity_.tets[i]);
+      for (int f = 0; f < 4; ++f)
+      {
+        const HalfFace beyond = tet.neighbour[f];
+        if (!isBoundary(beyond) && inCavity_.test(tetOf(beyond)))
+        {
+          continue;
+        }
+        if (isStarred(column, apex, beyond))
+        {
+          cavity_.starredFaces.push_back(boundaryFaceOf(beyond));
+          continue;
+        }
+        const auto v = tet.face(f);
+        if (v[0] == apex || v[1] == apex || v[2] == apex)
+        {
+          continue;
+        }
+        const double q = quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(apex));
+        if (q > wanted)
+        {
+          worst = std::min(worst, q);
+          continue;
+        }
+        if (isBoundary(beyond) || cavity_.tets.size() >= ball_.size() + growth)
+        {
+          return false;
+        }
+        inCavity_.set(tetOf(beyond));
+        cavity_.tets.push_back(tetOf(beyond));
+        grown = true;
+      }
+    }
+  }
+  return worst < std::numeric_limits<double>::infinity();
+}
+
+// Only isotropic points may vanish: those of the volume, and those of the column's own sides when the
+// sides' triangles are starred with the rest.
+bool FrontMoves::mayLose(const Column& column, Index apex) const
+{
+  return std::all_of(star_.lostVertices().begin(), star_.lostVertices().end(),
+    [&](Index v)
+    {
+      if (classes_.kind[v] == VertexKind::Volume)
+      {
+        return true;
+      }
+      const auto patches = classes_.patchesAt(v);
+      return classes_.kind[v] == VertexKind::Surface && !classes_.frozen[v] && set_.ofVertex[v] == None &&
+        apex == column.vertex && patches.size() == 1 && column.staysIn(patches[0]);
+    });
+}
+} // namespace ransmesh

@@ -1,0 +1,56 @@
+// The moves of a single top of the front.
+#pragma once
+
+#include "Boundary/Classification.h"
+#include "Insertion/Front.h"
+#include "Mesh/Star.h"
+#include "Mesh/Traversal.h"
+
+namespace ransmesh
+{
+// How hard a move may try: what it accepts grows with the effort.
+struct MoveEffort
+{
+  double leastQuality;      // of the tetrahedra after a move that makes them worse
+  std::size_t cavityGrowth; // tetrahedra that a cavity may gain beyond the ball
+};
+
+enum class MoveVerdict
+{
+  Moved,     // the top moved, the mesh's connectivity is as before
+  Restarred, // its ball was starred anew
+  SlabFolds, // a tetrahedron between wall and front would not be positive
+  NoRoom,    // no way was found that leaves the mesh beyond valid and good enough
+  Count
+};
+
+class FrontMoves
+{
+public:
+  FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification& classes, Front& front);
+
+  // Moves the column's top to x, if that can be done; otherwise changes nothing.
+  MoveVerdict move(Index column, const Vector3& x, const MoveEffort& effort);
+
+  // Below this a tetrahedron is worth changing the connectivity for.
+  static constexpr double GoodQuality = 0.12;
+
+private:
+  double worstQuality(const std::vector<Index>& tets) const;
+  bool restar(const Column& column, double wanted, std::size_t growth);
+  bool buildCavity(const Column& column, Index apex, double wanted, std::size_t growth, double& worst);
+  bool mayLose(const Column& column, Index apex) const;
+  bool isStarred(const Column& column, Index apex, HalfFace beyond) const;
+  std::vector<Index> apexCandidates(Index vertex) const;
+
+  TetMesh& mesh_;
+  const ColumnSet& set_;
+  const Classification& classes_;
+  Front& front_;
+  Star star_;
+  Traversal traversal_;
+  Marks inCavity_;
+  std::vector<Index> ball_;
+  Cavity cavity_;
+};
+} // namespace ransmesh

@@ -1,0 +1,285 @@
+#include "Insertion/FrontRaising.h"
+
+#include "Geometry/TetrahedronMeasures.h"
+#include "Layers/ColumnLimits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ransmesh
+{
+namespace
+{
+// A sweep's step, in mean lengths of the wall's edges.
+constexpr double StepOfSize = 0.3;
+// Sweeps after the last planned one, with growing effort.
+constexpr int ExtraSweeps = 12;
+constexpr int HalvingsOfStep = 4;
+// A step that is all but complete is completed, so that coordinates are exactly the level's.
+constexpr double Complete = 0.99999;
+
+constexpr MoveEffort Efforts[3] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 } };
+
+class Raiser
+{
+public:
+  Raiser(TetMesh& mesh, ColumnSet& set, const Classification& classes, RaisingReport& report)
+    : mesh_(mesh)
+    , set_(set)
+    , report_(report)
+    , front_(mesh, set)
+    , moves_(mesh, set, classes, front_)
+    , steps_(set.columns.size(), 0)
+    , refusals_(set.columns.size(), 0)
+  {
+    for (std::size_t c = 0; c < set.columns.size(); ++c)
+    {
+      const Column& column = set.columns[c];
+      if (column.levels > 0)
+      {
+        const double way = set.thickness(column) * norm(column.direction);
+        steps_[c] = std::max(1, static_cast<int>(std::ceil(way / (StepOfSize * column.size) - 1e-9)));
+        sweeps_ = std::max(sweeps_, steps_[c]);
+      }
+    }
+  }
+
+  bool run(const Context& context)
+  {
+    bool done = false;
+    for (int sweep = 1; !done && sweep <= sweeps_ + ExtraSweeps; ++sweep)
+    {
+      if (context.stopped())
+      {
+        return false;
+      }
+      context.report(static_cast<double>(sweep) / (sweeps_ + ExtraSweeps), "raising the layers' outer front");
+      if (sweep <= sweeps_)
+      {
+        moveTogether(sweep);
+      }
+      done = moveOneByOne(sweep) == 0 && sweep >= sweeps_;
+    }
+    settleStuckTops();
+    return true;
+  }
+
+private:
+  double targetShare(Index c, int sweep) const
+  {
+    return steps_[c] == 0 ? 0 : std::min(1.0, static_cast<double>(sweep) / steps_[c]);
+  }
+
+  // Moves all tops to the sweep's share at once, then takes back those whose tetrahedra suffer, until
+  // none does.
+  void moveTogether(int sweep)
+  {
+    std::vector<double> oldShare(set_.columns.size(), 0);
+    std::vector<Vector3> oldPosition(set_.columns.size());
+    std::vector<char> moved(set_.columns.size(), 0);
+    for (std::size_t i = 0; i < set_.columns.size(); ++i)
+    {
+      const auto c = static_cast<Index>(i);
+      oldShare[c] = front_.share(c);
+      oldPosition[c] = mesh_.point(set_.columns[c].vertex);
+      const double target = targetShare(c, sweep);
+      moved[c] = target > oldShare[c];
+      if (moved[c])
+      {
+        place(c, target);
+      }
+    }
+    const auto takeBack = [&](Index c)
+    {
+      if (c == None || !moved[c])
+      {
+        return;
+      }
+      moved[c] = 0;
+      front_.setShare(c, oldShare[c]);
+      mesh_.movePoint(set_.columns[c].vertex, oldPosition[c]);
+    };
+    const auto before = [&](Index v)
+    {
+      const Index c = set_.ofVertex[v];
+      return c != None && moved[c] ? oldPosition[c] : mesh_.point(v);
+    };
+    std::vector<Index> touched = tetsAtTops(moved);
+    for (bool again = true; again;)
+    {
+      again = false;
+      for (const BaseFace& face : front_.faces())
+      {
+        if (anyMoved(face.column, moved) && !front_.slabIsPositive(face))
+        {
+          std::for_each(face.column.begin(), face.column.end(), takeBack);
+          again = true;
+        }
+      }
+      for (const Index t : touched)
+      {
+        const auto& v = mesh_.tet(t).vertex;
+        const std::array<Index, 4> columns = { set_.ofVertex[v[0]], set_.ofVertex[v[1]], set_.ofVertex[v[2]],
+          set_.ofVertex[v[3]] };
+        if (!anyMoved(columns, moved))
+        {
+          continue;
+        }
+        const double now =
+          quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
+        if (now > FrontMoves::GoodQuality)
+        {
+          continue;
+        }
+        if (!(now > 0) || now < 0.9 * quality(before(v[0]), before(v[1]), before(v[2]), before(v[3])))
+        {
+          std::for_each(columns.begin(), columns.end(), takeBack);
+          again = true;
+        }
+      }
+    }
+    report_.movedTogether += static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
+  }
+
+  template <class Columns>
+  static bool anyMoved(const Columns& columns, const std::vector<char>& moved)
+  {
+    return std::any_of(columns.begin(), columns.end(), [&moved](Index c) { return c != None && moved[c]; });
+  }
+
+  std::vector<Index> tetsAtTops(const std::vector<char>& moved) const
+  {
+    std::vector<Index> tets;
+    for (std::size_t i = 0; i < mesh_.tetSlots(); ++i)
+    {
+      const auto t = static_cast<Index>(i);
+      const auto atTop = [&](Index v)
+      {
+        const Index c = set_.ofVertex[v];
+        return c != None && moved[c];
+      };
+      if (mesh_.tet(t).isAlive() &&
+        std::any_of(mesh_.tet(t).vertex.begin(), mesh_.tet(t).vertex.end(), atTop))
+      {
+        tets.push_back(t);
+      }
+    }
+    return tets;
+  }
+
+  void place(Index c, double share)
+  {
+    front_.setShare(c, share);
+    mesh_.movePoint(set_.columns[c].vertex, front_.position(c, share));
+  }
+
+  // Gives the number of tops that are still behind.
+  std::size_t moveOneByOne(int sweep)
+  {
+    const int effort = sweep <= sweeps_ ? 0 : sweep <= sweeps_ + 4 ? 1 : 2;
+    std::size_t behind = 0;
+    for (std::size_t i = 0; i < set_.columns.size(); ++i)
+    {
+      const auto c = static_cast<Index>(i);
+      const double target = targetShare(c, sweep);
+      if (front_.share(c) >= target)
+      {
+        continue;
+      }
+      const bool hopeless = refusals_[c] > 6 && sweep <= sweeps_;
+      if (!hopeless && !advance(c, target, Efforts[effort]))
+      {
+        ++refusals_[c];
+      }
+      behind += front_.share(c) < target;
+    }
+    return behind;
+  }
+
+  // Moves the top to the target, or half, a quarter ... of the way there.
+  bool advance(Index c, double target, const MoveEffort& effort)
+  {
+    double step = target - front_.share(c);
+    for (int i = 0; i < HalvingsOfStep; ++i, step /= 2)
+    {
+      const double wanted = front_.share(c) + step;
+      const double share = wanted > Complete ? 1 : wanted;
+      const MoveVerdict verdict = moves_.move(c, front_.position(c, share), effort);
+      ++report_.verdicts[static_cast<std::size_t>(verdict)];
+      if (verdict == MoveVerdict::Moved || verdict == MoveVerdict::Restarred)
+      {
+        front_.setShare(c, share);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void settleStuckTops()
+  {
+    for (std::size_t i = 0; i < set_.columns.size(); ++i)
+    {
+      const auto c = static_cast<Index>(i);
+      Column& column = set_.columns[i];
+      if (column.levels == 0 || front_.share(c) >= 1)
+      {
+        continue;
+      }
+      ++report_.stuck;
+      settle(c, column);
+    }
+  }
+
+  // Lowers a stuck top onto the highest level below it where the mesh beyond stays valid. Where there is
+  // none, the top stays as it is and makes the column's last level, of a spacing of its own.
+  void settle(Index c, Column& column)
+  {
+    const int reached = levelBelow(set_, column, front_.share(c) * set_.thickness(column));
+    for (int level = reached; level >= 0; --level)
+    {
+      const Vector3 x = level > 0 ? set_.pointAt(column, level) : column.base;
+      if (standsAt(column, x))
+      {
+        mesh_.movePoint(column.vertex, x);
+        column.limit(level, StopReason::Refused);
+        return;
+      }
+    }
+    column.limit(std::max(1, reached), StopReason::Refused);
+  }
+
+  // Would the mesh beyond be valid with the column's top at x?
+  bool standsAt(const Column& column, const Vector3& x);
+
+  TetMesh& mesh_;
+  ColumnSet& set_;
+  RaisingReport& report_;
+  Front front_;
+  FrontMoves moves_;
+  std::vector<int> steps_;
+  std::vector<int> refusals_;
+  int sweeps_ = 0;
+};
+
+bool Raiser::standsAt(const Column& column, const Vector3& x)
+{
+  Traversal traversal(mesh_);
+  std::vector<Index> ball;
+  traversal.ball(column.vertex, ball);
+  return std::all_of(ball.begin(), ball.end(),
+    [&](Index t)
+    {
+      const auto& v = mesh_.tet(t).vertex;
+      const auto at = [&](int i) { return v[i] == column.vertex ? x : mesh_.point(v[i]); };
+      return isPositive(at(0), at(1), at(2), at(3));
+    });
+}
+} // namespace
+
+bool raiseFront(
+  TetMesh& mesh, ColumnSet& set, const Classification& classes, const Context& context, RaisingReport& report)
+{
+  Raiser raiser(mesh, set, classes, report);
+  return raiser.run(context);
+}
+} // namespace ransmesh

@@ -1,0 +1,121 @@
+#include "Insertion/LayerStacks.h"
+
+#include "Geometry/Predicates.h"
+
+namespace ransmesh
+{
+ColumnPoints::ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseNumber, std::size_t firstNew)
+{
+  std::size_t next = firstNew;
+  for (const Column& c : set.columns)
+  {
+    base_.push_back(baseNumber[c.vertex]);
+    first_.push_back(static_cast<Index>(next));
+    next += static_cast<std::size_t>(c.levels);
+  }
+  count_ = next - firstNew;
+}
+
+namespace
+{
+std::size_t countTets(const ColumnSet& set, const std::vector<BaseFace>& faces)
+{
+  std::size_t count = 0;
+  for (const BaseFace& face : faces)
+  {
+    for (const Index c : face.column)
+    {
+      count += c == None ? 0 : static_cast<std::size_t>(set.columns[c].levels);
+    }
+  }
+  return count;
+}
+
+class StackWriter
+{
+public:
+  StackWriter(const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber,
+    const std::vector<Vector3>& points, StackOutput& out)
+    : set_(set)
+    , numbers_(numbers)
+    , baseNumber_(baseNumber)
+    , points_(points)
+    , out_(out)
+  {
+  }
+
+  // False if some tetrahedron is not positive.
+  bool write(const BaseFace& face)
+  {
+    std::array<Index, 3> current;
+    for (int j = 0; j < 3; ++j)
+    {
+      current[j] = baseNumber_[face.vertex[j]];
+    }
+    bool positive = true;
+    int level = -1;
+    forEachRise(set_, face,
+      [&](int below, int corner)
+      {
+        prism_ += below != level;
+        level = below;
+        const Index risen = numbers_.at(face.column[corner], below + 1);
+        positive = positive &&
+          isPositive(points_[current[0]], points_[current[1]], points_[current[2]], points_[risen]);
+        out_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
+        out_.layer.push_back(below + 1);
+        out_.prism.push_back(prism_);
+        writeSides(face, current, corner, risen);
+        current[corner] = risen;
+      });
+    return positive;
+  }
+
+private:
+  // The new tetrahedron's faces in the sides: each has the risen point, the one below it, and a corner.
+  void writeSides(const BaseFace& face, const std::array<Index, 3>& current, int corner, Index risen)
+  {
+    for (int step = 1; step <= 2; ++step)
+    {
+      const int other = (corner + step) % 3;
+      const int opposite = 3 - corner - other;
+      if (face.sideOpposite[opposite] == 0)
+      {
+        continue;
+      }
+      const bool otherFollows = step == 1;
+      const Index a = otherFollows ? current[other] : current[corner];
+      const Index b = otherFollows ? current[corner] : current[other];
+      out_.sideTriangles.push_back({ b, a, risen });
+      out_.sidePatch.push_back(face.sideOpposite[opposite]);
+    }
+  }
+
+  const ColumnSet& set_;
+  const ColumnPoints& numbers_;
+  const std::vector<Index>& baseNumber_;
+  const std::vector<Vector3>& points_;
+  StackOutput& out_;
+  Index prism_ = -1;
+};
+} // namespace
+
+StackOutput writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, const std::vector<Vector3>& points)
+{
+  StackOutput out;
+  const std::size_t count = countTets(set, faces);
+  out.tetrahedra.reserve(count);
+  out.layer.reserve(count);
+  out.prism.reserve(count);
+  StackWriter writer(set, numbers, baseNumber, points, out);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (!writer.write(faces[i]))
+    {
+      out.folded.push_back(static_cast<Index>(i));
+    }
+  }
+  return out;
+}
+} // namespace ransmesh

@@ -1,0 +1,75 @@
+// Columns: the lines of points that stand on the walls.
+#pragma once
+
+#include "Layers/LayerSpecification.h"
+#include "Mesh/MeshData.h"
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+namespace ransmesh
+{
+// Why a column has fewer layers than were asked for.
+enum class StopReason
+{
+  Complete,      // all layers are there
+  IsotropicSize, // the next spacing would exceed the isotropic fraction of the local size
+  Gap,           // the opposite surface is near
+  Corner,        // no direction sees all wall faces, or the sides meet too sharply
+  CurvedSide,    // the patch that the layers run into is curved here
+  Frozen,        // an interface patch
+  Transition,    // a neighbour is much lower
+  Refused,       // the mesh beyond would not give way
+  Count
+};
+
+inline constexpr std::array<std::string_view, static_cast<std::size_t>(StopReason::Count)> StopReasonTexts = {
+  "none", "isotropic size reached", "gap", "corner", "curved side", "frozen", "transition", "refused"
+};
+
+struct Column
+{
+  Index vertex = None;              // the wall's vertex
+  Vector3 base;                     // where it stands on the wall
+  Vector3 direction;                // the step that rises by one above the wall faces
+  int patch = 0;                    // whose heights it follows
+  std::array<int, 2> sides{ 0, 0 }; // adjoining patches that it stays in; 0: none
+  double size = 0;                  // mean length of the wall's edges here
+  int asked = 0;                    // layers asked for
+  int levels = 0;                   // layers that it is to have, or has
+  StopReason reason = StopReason::Complete;
+
+  bool staysIn(int p) const { return p != 0 && (sides[0] == p || sides[1] == p); }
+  // Lowers the column to level, if it is higher.
+  void limit(int level, StopReason why)
+  {
+    if (level < levels)
+    {
+      levels = level;
+      reason = why;
+    }
+  }
+};
+
+struct ColumnSet
+{
+  std::vector<Column> columns;       // in order of vertex number
+  std::vector<Index> ofVertex;       // the column on each vertex, or None
+  std::vector<LayerHeights> heights; // by patch
+
+  const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
+  double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }
+  // The one place that computes where a level's point is.
+  Vector3 pointAt(const Column& c, int level) const
+  {
+    return c.base + heightsOf(c).height(level) * c.direction;
+  }
+  // The column at v if it has at least one layer, else None.
+  Index standingAt(Index v) const
+  {
+    const Index c = ofVertex[v];
+    return c != None && columns[c].levels > 0 ? c : None;
+  }
+};
+} // namespace ransmesh

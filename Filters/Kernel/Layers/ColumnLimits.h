@@ -1,0 +1,23 @@
+// How high the columns may grow: by the local isotropic size, by the gap to the opposite surface, and
+// by their neighbours.
+#pragma once
+
+#include "Boundary/BoundaryStars.h"
+#include "Layers/Column.h"
+
+namespace ransmesh
+{
+// No level whose spacing exceeds the isotropic fraction of the local size (the paper's section 3).
+void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set);
+
+// No column beyond gapFraction of the distance to the surface in front of it. The distance is found by
+// walking through the mesh along the column.
+void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFraction, ColumnSet& set);
+
+// Heights of neighbours differ by no more than the distance between them: no cliffs for tall layers,
+// no effect on thin ones.
+void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& set);
+
+// The highest level of the column that does not exceed the height.
+int levelBelow(const ColumnSet& set, const Column& column, double height);
+} // namespace ransmesh
