@@ -1,35 +1,55 @@
 #include "Geometry/TetrahedronMeasures.h"
 
+#include "Geometry/Angles.h"
+
 #include <limits>
 
 namespace ransmesh
 {
 namespace
 {
-constexpr double degrees = 57.29577951308232;
-
 // The corners that are not on the edge.
-constexpr int OppositeCorners[6][2] = {{2, 3}, {1, 3}, {1, 2}, {0, 3}, {0, 2}, {0, 1}};
+constexpr int OppositeCorners[6][2] = { { 2, 3 }, { 1, 3 }, { 1, 2 }, { 0, 3 }, { 0, 2 }, { 0, 1 } };
 
-// The faces' normals at an edge e have the vector product e * (six volumes): so the sine needs no
-// difference of nearly parallel normals, and all six angles share one volume.
-double dihedralAt(const std::array<Vector3, 4>& p, int edge, double sixVolume)
+// An angle as sine and cosine, both scaled by the same positive number and by the volume. The faces'
+// normals at an edge e have the vector product e * (six volumes): so the sine needs no difference of
+// nearly parallel normals, and the six angles of a tetrahedron share one volume.
+struct ScaledAngle
+{
+  double edge; // sine over six volumes
+  double cosine;
+
+  double cotangent() const { return cosine / edge; } // times six volumes
+  double degrees(double sixVolume) const { return DegreesOfRadian * std::atan2(edge * sixVolume, cosine); }
+};
+
+ScaledAngle angleAt(const std::array<Vector3, 4>& p, int edge)
 {
   const Vector3& from = p[EdgeCorners[edge][0]];
   const Vector3 e = p[EdgeCorners[edge][1]] - from;
   const Vector3 one = cross(e, p[OppositeCorners[edge][0]] - from);
   const Vector3 other = cross(e, p[OppositeCorners[edge][1]] - from);
-  return degrees * std::atan2(norm(e) * sixVolume, dot(one, other));
+  return { norm(e), dot(one, other) };
 }
 
-std::array<double, 6> allDihedrals(const std::array<Vector3, 4>& p, double sixVolume)
+struct AngleRange
 {
-  std::array<double, 6> angles;
-  for (int edge = 0; edge < 6; ++edge)
+  double smallest;
+  double largest;
+};
+
+// Cotangents order the angles, and need no volume: two arc tangents instead of six.
+AngleRange extremeDihedrals(const std::array<Vector3, 4>& p, double sixVolume)
+{
+  ScaledAngle smallest = angleAt(p, 0);
+  ScaledAngle largest = smallest;
+  for (int edge = 1; edge < 6; ++edge)
   {
-    angles[edge] = dihedralAt(p, edge, sixVolume);
+    const ScaledAngle angle = angleAt(p, edge);
+    smallest = angle.cotangent() > smallest.cotangent() ? angle : smallest;
+    largest = angle.cotangent() < largest.cotangent() ? angle : largest;
   }
-  return angles;
+  return { smallest.degrees(sixVolume), largest.degrees(sixVolume) };
 }
 
 double largestDoubleArea(const std::array<Vector3, 4>& p)
@@ -43,13 +63,19 @@ double largestDoubleArea(const std::array<Vector3, 4>& p)
 
 std::array<double, 6> dihedralAngles(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  return allDihedrals({a, b, c, d}, std::fabs(sixVolumes(a, b, c, d)));
+  const std::array<Vector3, 4> p = { a, b, c, d };
+  const double sixVolume = std::fabs(sixVolumes(a, b, c, d));
+  std::array<double, 6> angles;
+  for (int edge = 0; edge < 6; ++edge)
+  {
+    angles[edge] = angleAt(p, edge).degrees(sixVolume);
+  }
+  return angles;
 }
 
 double largestDihedral(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  const auto angles = dihedralAngles(a, b, c, d);
-  return *std::max_element(angles.begin(), angles.end());
+  return extremeDihedrals({ a, b, c, d }, std::fabs(sixVolumes(a, b, c, d))).largest;
 }
 
 double TetrahedronMeasures::stretching() const
@@ -60,7 +86,7 @@ double TetrahedronMeasures::stretching() const
 
 TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  const std::array<Vector3, 4> p = {a, b, c, d};
+  const std::array<Vector3, 4> p = { a, b, c, d };
   const double sixVolume = sixVolumes(a, b, c, d);
   TetrahedronMeasures m;
   m.volume = sixVolume / 6;
@@ -77,10 +103,9 @@ TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c
   m.shortestEdge = std::sqrt(shortest);
   const double area = largestDoubleArea(p);
   m.smallestHeight = area > 0 ? std::fabs(sixVolume) / area : 0;
-  const auto angles = allDihedrals(p, std::fabs(sixVolume));
-  const auto [low, high] = std::minmax_element(angles.begin(), angles.end());
-  m.smallestDihedral = *low;
-  m.largestDihedral = *high;
+  const AngleRange angles = extremeDihedrals(p, std::fabs(sixVolume));
+  m.smallestDihedral = angles.smallest;
+  m.largestDihedral = angles.largest;
   return m;
 }
 } // namespace ransmesh

@@ -37,7 +37,7 @@ inline double quality(const Vector3& a, const Vector3& b, const Vector3& c, cons
 }
 
 // The edges of a tetrahedron, by corners, in the order in which the functions below give theirs.
-inline constexpr int EdgeCorners[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+inline constexpr int EdgeCorners[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 }, { 1, 3 }, { 2, 3 } };
 
 // The six angles between faces, one at each edge, 0 to 180; sound for heights of 1e-8 of the edges and less.
 std::array<double, 6> dihedralAngles(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);

@@ -1,0 +1,20 @@
+// The layers on the walls, measured.
+#pragma once
+
+#include "Mesh/FaceMatching.h"
+#include "Quality/QualityReport.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+struct WallAssessment
+{
+  std::vector<WallSummary> walls;    // all walls together first, then each; empty without layers
+  std::vector<Histogram> histograms; // of all walls together, and layers by column of each
+  std::vector<char> onColumn;        // of each point: is it on a column, smooth foot or not
+};
+
+WallAssessment assessWalls(const ReportSubject& subject, const FaceMatching& matching,
+  const ReportOptions& options, const Context& context);
+} // namespace ransmesh

@@ -1,0 +1,39 @@
+// The points and faces of the viscous walls, as the report sees them.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Layers/LayerSpecification.h"
+#include "Mesh/FaceMatching.h"
+#include "Mesh/MeshData.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+struct WallFace
+{
+  int patch = 0;
+  Index tet = None; // the tetrahedron on it
+  double area = 0;
+  double cellHeight = 0; // of that tetrahedron above the face
+  Vector3 normal;        // unit, into the fluid
+  std::array<Index, 3> vertex{};
+};
+
+struct WallPoint
+{
+  Index point = None;
+  int patch = 0;  // where several walls meet: the lowest number
+  Vector3 normal; // unit, into the fluid: the mean of all wall faces at the point, weighted by area
+  bool isSmooth = false;
+  double wallEdge = 0; // mean length of the wall's edges at the point
+};
+
+// The triangles of patches with layers that lie on a tetrahedron. Point numbers must be in range.
+std::vector<WallFace> wallFacesOf(const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan);
+
+// The points of these faces in order of number. A point is smooth where no face turns by smoothAngle
+// (degrees) or more from the mean normal.
+std::vector<WallPoint> wallPointsOf(
+  const MeshData& mesh, const std::vector<WallFace>& faces, double smoothAngle);
+} // namespace ransmesh
