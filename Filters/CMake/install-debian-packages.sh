@@ -41,7 +41,7 @@ fi
 if [ ! -e "$complete" ]; then
   download=$(mktemp -d)
   trap 'rm -rf "$download"' EXIT
-  chmod 755 "$download"
+  chown _apt "$download"
   cd "$download"
   # shellcheck disable=SC2086 # a list of words
   apt-get download -qq $unpacked

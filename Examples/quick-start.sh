@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# Installs what is missing (as root), builds, and makes the mesh of a blunted nose-cone at incidence:
+# the mesh (.vtu), its pictures (.png) and the printed quality report.
+#
+#   Examples/quick-start.sh [FOLDER]      default: build/nosecone
+set -euo pipefail
+cd "$(dirname "$0")/.."
+folder=${1:-build/nosecone}
+
+sh Filters/CMake/install-debian-packages.sh
+cmake --preset release -DRANSMESHING_BUILD_TESTING=OFF
+cmake --build --preset release
+build=build/release
+
+mkdir -p "$folder"
+PYTHONPATH="$build/lib/python3/dist-packages" \
+  xvfb-run -a /usr/bin/python3 -B Examples/Python/nosecone.py "$folder"
