@@ -118,6 +118,16 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& me
   return ransmesh::planLayers(mesh, patches, request, plan);
 }
 
+int vtkRANSLayerAlgorithm::Refuse(const ransmesh::Outcome& outcome)
+{
+  if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
+  {
+    return 1;
+  }
+  vtkErrorMacro(<< outcome.message);
+  return 0;
+}
+
 void vtkRANSLayerAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -147,6 +147,12 @@ protected:
   ransmesh::Outcome PlanLayers(const ransmesh::MeshData& mesh, const std::vector<ransmesh::Patch>& patches,
     vtkFieldData* recorded, std::vector<ransmesh::LayerSpecification>& plan) const;
 
+  /**
+   * What RequestData returns for an outcome that is no success, the outputs being left empty: 0, with an
+   * error event; or 1, silently, when the user stopped it.
+   */
+  int Refuse(const ransmesh::Outcome& outcome);
+
   double FirstHeight;
   double GrowthRate;
   int NumberOfLayers;

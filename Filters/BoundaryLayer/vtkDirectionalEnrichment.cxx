@@ -1,0 +1,79 @@
+#include "vtkDirectionalEnrichment.h"
+
+#include "EnrichmentOutput.h"
+#include "MeshConversion.h"
+#include "PatchFieldData.h"
+#include "StageContext.h"
+
+#include "Insertion/Enrichment.h"
+#include "Mesh/Validation.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+vtkStandardNewMacro(vtkDirectionalEnrichment);
+
+vtkDirectionalEnrichment::vtkDirectionalEnrichment()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkDirectionalEnrichment::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+int vtkDirectionalEnrichment::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  vtkPolyData* boundary = vtkPolyData::GetData(outputVector, 1);
+
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  ransmesh::LayerPlan plan;
+  ransmesh::EnrichedMesh enriched;
+  ransmesh::EnrichmentOptions options;
+  options.gapFraction = this->GapFraction;
+
+  ransmesh::Outcome outcome = ransmesh::readMesh(input, mesh, patches);
+  if (outcome.ok())
+  {
+    outcome = this->PlanLayers(mesh, patches, input->GetFieldData(), plan);
+  }
+  if (outcome.ok())
+  {
+    outcome = ransmesh::enrich(mesh, patches, plan, options, ransmesh::makeContext(this), enriched);
+  }
+#ifndef NDEBUG
+  if (const auto faults = ransmesh::findFaults(enriched.mesh); outcome.ok() && !faults.none())
+  {
+    outcome = ransmesh::Outcome::internalFault("the enriched mesh is not valid: " + faults.text());
+  }
+#endif
+  if (!outcome.ok())
+  {
+    return this->Refuse(outcome);
+  }
+  ransmesh::writeEnrichedMesh(enriched, patches, input->GetPointData(), output);
+  output->GetFieldData()->PassData(input->GetFieldData());
+  ransmesh::writePatches(patches, output->GetFieldData());
+  ransmesh::writePlan(plan, output->GetFieldData());
+  ransmesh::writeEnrichedBoundary(enriched, patches, boundary);
+  this->NumberOfRequestedPoints = static_cast<vtkIdType>(enriched.report.pointsRequested);
+  this->NumberOfInsertedPoints = static_cast<vtkIdType>(enriched.report.pointsInserted);
+  return 1;
+}
+
+void vtkDirectionalEnrichment::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfRequestedPoints: " << this->NumberOfRequestedPoints << "\n";
+  os << indent << "NumberOfInsertedPoints: " << this->NumberOfInsertedPoints << "\n";
+}
