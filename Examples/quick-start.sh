@@ -10,8 +10,6 @@ folder=${1:-build/nosecone}
 sh Filters/CMake/install-debian-packages.sh
 cmake --preset release -DRANSMESHING_BUILD_TESTING=OFF
 cmake --build --preset release
-build=build/release
 
 mkdir -p "$folder"
-PYTHONPATH="$build/lib/python3/dist-packages" \
-  xvfb-run -a /usr/bin/python3 -B Examples/Python/nosecone.py "$folder"
+xvfb-run -a build/release/bin/ransmesh-nosecone-demo "$folder"
