@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace ransmesh
 {
@@ -31,16 +32,18 @@ std::array<Index, 3> faceOfTet(const std::array<Index, 4>& tet, int f)
   return { tet[FaceCorners[f][0]], tet[FaceCorners[f][1]], tet[FaceCorners[f][2]] };
 }
 
-// All faces and triangles in buckets by their smallest vertex: a bucket holds few, so that equal ones
-// are found by looking at each.
+// All faces and triangles in buckets by their smallest vertex: a bucket holds few, so that sorting each
+// is cheap, and takes the place of a hash table of all faces.
 class FaceBuckets
 {
 public:
   struct Entry
   {
-    Index middle;
-    Index largest;
-    Index code; // a face 4 * t + f, or -(triangle + 1)
+    std::uint64_t others; // the middle and the largest vertex
+    std::uint32_t code;   // a face 4 * t + f, or -(triangle + 1): triangles come after tetrahedra
+
+    Index signedCode() const { return static_cast<Index>(code); }
+    bool operator<(const Entry& b) const { return others != b.others ? others < b.others : code < b.code; }
   };
 
   explicit FaceBuckets(const MeshData& mesh)
@@ -54,25 +57,20 @@ public:
     entries_.resize(start_.back());
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
     forEach(mesh,
-      [&](const std::array<Index, 3>& f, Index code) {
-        entries_[next[f[0]]++] = { f[1], f[2], code };
+      [&](const std::array<Index, 3>& f, Index code)
+      {
+        const auto others = static_cast<std::uint64_t>(f[1]) << 32 | static_cast<std::uint64_t>(f[2]);
+        entries_[next[f[0]]++] = { others, static_cast<std::uint32_t>(code) };
       });
   }
   std::size_t count() const { return start_.size() - 1; }
   // The entries of one bucket, equal faces side by side, tetrahedra before triangles.
-  Entry* sortedBegin(std::size_t bucket)
+  const Entry* sortedBegin(std::size_t bucket)
   {
-    std::sort(entries_.begin() + start_[bucket], entries_.begin() + start_[bucket + 1],
-      [](const Entry& a, const Entry& b)
-      {
-        return a.middle != b.middle        ? a.middle < b.middle
-          : a.largest != b.largest         ? a.largest < b.largest
-          : (a.code >= 0) != (b.code >= 0) ? a.code >= 0
-                                           : a.code < b.code;
-      });
+    std::sort(entries_.data() + start_[bucket], entries_.data() + start_[bucket + 1]);
     return entries_.data() + start_[bucket];
   }
-  Entry* end(std::size_t bucket) { return entries_.data() + start_[bucket + 1]; }
+  const Entry* end(std::size_t bucket) const { return entries_.data() + start_[bucket + 1]; }
 
 private:
   template <class Visit>
@@ -109,31 +107,31 @@ void matchOneFace(const FaceBuckets::Entry* begin, const FaceBuckets::Entry* spl
   if (tets > 2)
   {
     ++result.facesInMoreThanTwoTets;
-    noteFirst(result.firstFaultyTet, tetOf(begin->code));
+    noteFirst(result.firstFaultyTet, tetOf(begin->signedCode()));
   }
   if (tets == 2)
   {
-    result.opposite[begin[0].code] = begin[1].code;
-    result.opposite[begin[1].code] = begin[0].code;
+    result.opposite[begin[0].code] = begin[1].signedCode();
+    result.opposite[begin[1].code] = begin[0].signedCode();
   }
   if (tets == 1 && triangles >= 1)
   {
-    result.opposite[begin->code] = split->code;
+    result.opposite[begin->code] = split->signedCode();
   }
   if (tets == 1 && triangles == 0)
   {
     ++result.facesWithoutTriangle;
-    noteFirst(result.firstFaultyTet, tetOf(begin->code));
+    noteFirst(result.firstFaultyTet, tetOf(begin->signedCode()));
   }
   if (triangles > 1)
   {
     ++result.repeatedTriangles;
-    noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->code));
+    noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->signedCode()));
   }
   if (tets != 1 && triangles > 0)
   {
     ++result.trianglesOffTheBoundary;
-    noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->code));
+    noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->signedCode()));
   }
 }
 } // namespace
@@ -150,12 +148,12 @@ FaceMatching matchFaces(const MeshData& mesh)
     while (begin != end)
     {
       const FaceBuckets::Entry* next = begin;
-      while (next != end && next->middle == begin->middle && next->largest == begin->largest)
+      while (next != end && next->others == begin->others)
       {
         ++next;
       }
       const FaceBuckets::Entry* split =
-        std::find_if(begin, next, [](const FaceBuckets::Entry& e) { return e.code < 0; });
+        std::find_if(begin, next, [](const FaceBuckets::Entry& e) { return isBoundary(e.signedCode()); });
       matchOneFace(begin, split, next, result);
       begin = next;
     }
