@@ -1,0 +1,36 @@
+// The region that the layers are going to fill, and the points in it.
+#pragma once
+
+#include "Boundary/Classification.h"
+#include "Layers/LayerSpecification.h"
+#include "Mesh/TetMesh.h"
+#include "Support/Context.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+struct LayerRegion
+{
+  // Points that are to go, nearest to the walls first: free ones, and those on surfaces and ridges of
+  // patches without layers. Points of walls, corners and frozen points never are.
+  std::vector<Index> marked;
+  std::vector<char> isMarked; // by vertex
+  // By marked vertex: how far the region reaches from its wall, a length scale of the elements to come.
+  std::vector<float> reach;
+};
+
+// Which patches a removal may change the triangles of: those without layers that are not interfaces.
+// By patch number.
+std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan);
+
+// The thickness of the layers where the local isotropic size is the one given: no level counts whose
+// spacing exceeds isotropicFraction * size (section 3 of Loehner's paper).
+double limitedThickness(const LayerHeights& heights, double isotropicFraction, double size);
+
+// Marks what lies within the layers' thickness, limited by the local size, plus margin * size of a wall.
+// Advances from the walls by layers of elements (section 6 of the paper), so that its cost is that of
+// the region alone. The size is that of the wall's triangles.
+LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classification,
+  const std::vector<char>& changeable, const LayerPlan& plan, double margin);
+} // namespace ransmesh

@@ -1,0 +1,52 @@
+// Swaps and movement: better tetrahedra from the same points.
+#pragma once
+
+#include "Mesh/Star.h"
+#include "Mesh/Traversal.h"
+#include "Removal/GrowingCavity.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+class LocalImprovement
+{
+public:
+  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules)
+    : mesh_(mesh)
+    , rules_(rules)
+    , star_(mesh)
+    , traversal_(mesh)
+    , cavity_(mesh, rules)
+  {
+  }
+
+  // Tries to replace the tetrahedron by better ones: by taking out one of its edges inside the mesh, or
+  // one of its faces. The worst quality among those that change must rise.
+  bool swap(Index tet);
+
+  // Moves a vertex of the volume towards the mean of its neighbours if that does not make the worst
+  // quality around it less than keep times what it was.
+  bool move(Index v, double keep);
+
+  // The tetrahedra made by the last successful swap.
+  const std::vector<Index>& made() const { return *made_; }
+
+private:
+  bool swapEdge(Index tet, int edge);
+  bool swapFace(Index tet, int face);
+  bool starBest(std::span<const Index> tets, std::span<const Index> apexes);
+  bool ringIsClosed(Index a, Index b) const;
+  double worstOf(std::span<const Index> tets) const;
+  Vector3 meanNeighbour(Index v) const;
+
+  TetMesh& mesh_;
+  const BoundaryRules& rules_;
+  Star star_;
+  Traversal traversal_;
+  GrowingCavity cavity_;
+  std::vector<Index> tets_;
+  std::vector<Index> apexes_;
+  const std::vector<Index>* made_ = nullptr;
+};
+} // namespace ransmesh

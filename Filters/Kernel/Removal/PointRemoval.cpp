@@ -1,0 +1,236 @@
+#include "Removal/PointRemoval.h"
+
+#include "Removal/LocalImprovement.h"
+#include "Removal/VertexRemover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+namespace ransmesh
+{
+namespace
+{
+// The limits of the passes: collapse first, then cavities, then less and less quality.
+constexpr RemovalLimits Passes[] = {
+  { 0.15, 0, false },
+  { 0.15, 6, true },
+  { 0.12, 20, true },
+  { 0.08, 20, true },
+  { 0.05, 20, true },
+  { 0.05, 30, true },
+  { 0.03, 30, true },
+  { 0.02, 40, true },
+};
+constexpr int PassCount = static_cast<int>(std::size(Passes));
+
+class Removal
+{
+public:
+  Removal(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine, const Context& context)
+    : mesh_(mesh)
+    , rules_(rules)
+    , region_(region)
+    , context_(context)
+    , remover_(mesh, rules, region, cosine)
+    , improvement_(mesh, rules)
+    , traversal_(mesh)
+  {
+  }
+
+  void run(RemovalResult& result)
+  {
+    result.marked = region_.marked.size();
+    std::vector<Index> left = orderByKind(region_.marked);
+    for (int pass = 0; pass < PassCount && !left.empty(); ++pass)
+    {
+      if (pass >= 2)
+      {
+        loosen(left, result);
+      }
+      if (!removeAll(left, pass, result))
+      {
+        result.outcome = Outcome::cancelled();
+        break;
+      }
+    }
+    if (result.outcome.ok())
+    {
+      improve(result);
+    }
+    result.remaining = left;
+    result.removed = result.marked - left.size();
+    countOf(result.verdicts, RemovalVerdict::Absorbed) = remover_.absorbed();
+    result.worstQualityAfter = worstMade();
+  }
+
+private:
+  // Ridge points first, then those on surfaces: theirs is the least freedom.
+  std::vector<Index> orderByKind(const std::vector<Index>& marked) const
+  {
+    std::vector<Index> order = marked;
+    std::stable_sort(order.begin(), order.end(),
+      [this](Index a, Index b) { return rules_.classification.kind[a] > rules_.classification.kind[b]; });
+    return order;
+  }
+
+  // One attempt for each point left; those that stay are left then. False when cancelled.
+  bool removeAll(std::vector<Index>& left, int pass, RemovalResult& result)
+  {
+    constexpr std::size_t askEvery = 1024;
+    for (std::size_t i = 0; i < left.size(); ++i)
+    {
+      if (i % askEvery == 0)
+      {
+        context_.report(
+          (pass + static_cast<double>(i) / static_cast<double>(left.size())) / PassCount, "removing points");
+        if (context_.stopped())
+        {
+          return false;
+        }
+      }
+      if (!region_.isMarked[left[i]])
+      {
+        continue;
+      }
+      const RemovalVerdict verdict = remover_.remove(left[i], Passes[pass]);
+      ++countOf(result.verdicts, verdict);
+      if (!region_.isMarked[left[i]])
+      {
+        made_.insert(made_.end(), remover_.made().begin(), remover_.made().end());
+      }
+    }
+    std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
+    return true;
+  }
+
+  // Changes the surroundings of the points that would not go.
+  void loosen(const std::vector<Index>& left, RemovalResult& result)
+  {
+    constexpr double keep = 0.5;
+    for (const Index v : left)
+    {
+      result.movements += improvement_.move(v, keep);
+      traversal_.ball(v, ball_);
+      for (const Index t : ball_)
+      {
+        constexpr double poor = 0.2;
+        if (mesh_.tet(t).isAlive() && mesh_.tet(t).has(v) && qualityOf(mesh_, t) < poor &&
+          improvement_.swap(t))
+        {
+          ++result.swaps;
+          made_.insert(made_.end(), improvement_.made().begin(), improvement_.made().end());
+        }
+      }
+    }
+  }
+
+  // Swaps away the poor tetrahedra that removal made.
+  void improve(RemovalResult& result)
+  {
+    constexpr double poor = 0.2;
+    for (int round = 0; round < 3; ++round)
+    {
+      std::sort(made_.begin(), made_.end());
+      made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
+      const std::vector<Index> now = made_;
+      std::size_t swaps = 0;
+      for (const Index t : now)
+      {
+        if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < poor && improvement_.swap(t))
+        {
+          ++swaps;
+          made_.insert(made_.end(), improvement_.made().begin(), improvement_.made().end());
+        }
+      }
+      result.swaps += swaps;
+      if (swaps == 0)
+      {
+        break;
+      }
+    }
+  }
+
+  double worstMade() const
+  {
+    double worst = 1;
+    for (const Index t : made_)
+    {
+      if (mesh_.tet(t).isAlive())
+      {
+        worst = std::min(worst, qualityOf(mesh_, t));
+      }
+    }
+    return worst;
+  }
+
+  TetMesh& mesh_;
+  BoundaryRules& rules_;
+  LayerRegion& region_;
+  const Context& context_;
+  VertexRemover remover_;
+  LocalImprovement improvement_;
+  Traversal traversal_;
+  std::vector<Index> ball_;
+  std::vector<Index> made_;
+};
+
+bool patchesAreKnown(const TetMesh& mesh, const PatchTable& patches)
+{
+  for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
+  {
+    const BoundaryFace& face = mesh.boundaryFace(static_cast<Index>(b));
+    if (face.isAlive() && (face.patch < 1 || static_cast<std::size_t>(face.patch) >= patches.size()))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+double worstAt(const TetMesh& mesh, const std::vector<char>& isMarked)
+{
+  double worst = 1;
+  for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
+  {
+    const auto t = static_cast<Index>(i);
+    const Tetrahedron& tet = mesh.tet(t);
+    if (tet.isAlive() &&
+      std::any_of(tet.vertex.begin(), tet.vertex.end(), [&](Index v) { return isMarked[v] != 0; }))
+    {
+      worst = std::min(worst, qualityOf(mesh, t));
+    }
+  }
+  return worst;
+}
+} // namespace
+
+std::string RemovalResult::text() const
+{
+  return std::to_string(marked) + " points in the layers' region, " + std::to_string(removed) + " removed, " +
+    std::to_string(remaining.size()) + " remain";
+}
+
+RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
+  const RemovalOptions& options, const Context& context)
+{
+  RemovalResult result;
+  if (!patchesAreKnown(mesh, patches))
+  {
+    result.outcome = Outcome::badInput(
+      "a boundary triangle has a patch that the patch table does not have: give every patch a row");
+    return result;
+  }
+  BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
+  LayerRegion region = findLayerRegion(mesh, rules.classification, rules.changeable, plan, options.margin);
+  if (region.marked.empty())
+  {
+    return result;
+  }
+  result.worstQualityBefore = worstAt(mesh, region.isMarked);
+  const double cosine = std::cos(options.maximumSurfaceAngle * std::numbers::pi / 180);
+  Removal(mesh, rules, region, cosine, context).run(result);
+  return result;
+}
+} // namespace ransmesh

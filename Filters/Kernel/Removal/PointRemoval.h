@@ -1,0 +1,50 @@
+// Makes room for the layers: takes the isotropic points out of the region that they are going to fill
+// (R. Loehner, Int. J. Numer. Meth. Engng 49 (2000) 219-232, section 6).
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Layers/LayerSpecification.h"
+#include "Mesh/TetMesh.h"
+#include "Removal/RemovalVerdict.h"
+#include "Support/Context.h"
+#include "Support/Outcome.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ransmesh
+{
+struct RemovalOptions
+{
+  // How far beyond the layers points are taken out as well, times the size of the wall's triangles.
+  double margin = 0.4;
+  // How far a boundary face may turn, degrees, 0 to 90.
+  double maximumSurfaceAngle = defaults::maximumSurfaceAngle;
+};
+
+struct RemovalResult
+{
+  Outcome outcome;
+  std::size_t marked = 0;       // points in the region that may go
+  std::size_t removed = 0;      // of these
+  std::vector<Index> remaining; // marked points that are still there, by their number in the mesh
+  RemovalTally verdicts{};      // of all attempts, many of which concern the same point
+  std::size_t movements = 0;
+  std::size_t swaps = 0;
+  double worstQualityBefore = 1; // among the tetrahedra at marked points
+  double worstQualityAfter = 1;  // among the tetrahedra that were made
+
+  // One line for the user.
+  std::string text() const;
+};
+
+// Removes from the mesh what findLayerRegion marks. Points go by collapse onto the neighbour that leaves
+// the best quality, by starring an enlarged cavity, with limits that relax from pass to pass, and with
+// swaps and movement between. Points of walls stay, and so do corners and interfaces; points on other
+// patches go along their own surface or ridge. The mesh is valid at every moment, and stays so when the
+// outcome is Cancelled. BadInput if a triangle's patch is missing in patches. The same input gives the
+// same result.
+RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
+  const RemovalOptions& options, const Context& context);
+} // namespace ransmesh

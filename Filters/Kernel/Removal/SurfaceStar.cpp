@@ -1,0 +1,106 @@
+#include "Removal/SurfaceStar.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ransmesh
+{
+namespace
+{
+Vector3 normalOf(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return normalized(cross(b - a, c - a));
+}
+} // namespace
+
+void SurfaceStar::collectEdges(std::span<const Index> faces)
+{
+  edges_.clear();
+  for (const Index b : faces)
+  {
+    const auto v = mesh_.boundaryVertices(b);
+    for (int j = 0; j < 3; ++j)
+    {
+      const Index from = v[j];
+      const Index to = v[(j + 1) % 3];
+      edges_.push_back({ std::min(from, to), std::max(from, to), { from, to }, b });
+    }
+  }
+  std::sort(edges_.begin(), edges_.end(),
+    [](const EdgeUse& a, const EdgeUse& b)
+    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
+}
+
+bool SurfaceStar::turnsTooFar(const EdgeUse& rim, Index apex) const
+{
+  const auto v = mesh_.boundaryVertices(rim.face);
+  const Vector3 old = normalOf(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+  const Vector3 now = normalOf(mesh_.point(rim.way[0]), mesh_.point(rim.way[1]), mesh_.point(apex));
+  return !(dot(old, now) >= cosine_);
+}
+
+// Whether a new edge is an edge of the surface elsewhere already: the surface would touch itself.
+bool SurfaceStar::meetsSurfaceAgain(std::span<const Index> faces, Index apex)
+{
+  traversal_.ball(apex, ball_);
+  for (const Index t : ball_)
+  {
+    const Tetrahedron& tet = mesh_.tet(t);
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace beyond = tet.neighbour[f];
+      if (!isBoundary(beyond) || tet.vertex[f] == apex ||
+        std::find(faces.begin(), faces.end(), boundaryFaceOf(beyond)) != faces.end())
+      {
+        continue;
+      }
+      for (const Index v : tet.face(f))
+      {
+        if (v != apex && std::find(newEnds_.begin(), newEnds_.end(), v) != newEnds_.end())
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Index vanishing)
+{
+  collectEdges(faces);
+  newEnds_.clear();
+  std::vector<Index>& ends = newEnds_;
+  std::vector<Index> rimAtApex;
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+  {
+    const EdgeUse& edge = edges_[i];
+    const bool shared =
+      i + 1 < edges_.size() && edges_[i + 1].low == edge.low && edges_[i + 1].high == edge.high;
+    if (shared)
+    {
+      const bool goesWithItsVertex = edge.low == vanishing || edge.high == vanishing;
+      if (ridges_.has(edge.low, edge.high) && !goesWithItsVertex)
+      {
+        return RemovalVerdict::RidgeLost;
+      }
+      ++i;
+      continue;
+    }
+    if (edge.low == apex || edge.high == apex)
+    {
+      rimAtApex.push_back(edge.low == apex ? edge.high : edge.low);
+      continue;
+    }
+    if (turnsTooFar(edge, apex))
+    {
+      return RemovalVerdict::SurfaceTurned;
+    }
+    ends.push_back(edge.low);
+    ends.push_back(edge.high);
+  }
+  std::erase_if(
+    ends, [&](Index v) { return std::find(rimAtApex.begin(), rimAtApex.end(), v) != rimAtApex.end(); });
+  return meetsSurfaceAgain(faces, apex) ? RemovalVerdict::SurfaceTurned : RemovalVerdict::Collapsed;
+}
+} // namespace ransmesh

@@ -1,0 +1,71 @@
+// Takes single points out of a mesh, with the checks of section 6 of Loehner's paper.
+#pragma once
+
+#include "Mesh/Star.h"
+#include "Mesh/Traversal.h"
+#include "Removal/GrowingCavity.h"
+#include "Removal/LayerRegion.h"
+#include "Removal/RemovalVerdict.h"
+#include "Removal/SurfaceStar.h"
+
+#include <span>
+#include <vector>
+
+namespace ransmesh
+{
+struct RemovalLimits
+{
+  double quality = 0.15;  // no new tetrahedron may be worse
+  std::size_t growth = 0; // by how many tetrahedra a cavity may grow
+  bool orNoWorse = false; // where the ones that go are worse, no worse than these is enough
+};
+
+class VertexRemover
+{
+public:
+  // cosine: of the largest angle by which a boundary face or a ridge may turn. Marks of region are
+  // taken away as points go.
+  VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine);
+
+  // Tries to remove the marked vertex v, to the neighbour that leaves the best quality. The mesh is
+  // valid before and after.
+  RemovalVerdict remove(Index v, const RemovalLimits& limits);
+
+  // Marked points that went with others' cavities.
+  std::size_t absorbed() const { return absorbed_; }
+  // The tetrahedra made by the last successful removal.
+  const std::vector<Index>& made() const { return *made_; }
+
+private:
+  struct Candidate
+  {
+    Index apex;
+    double floor; // that it was judged with
+  };
+
+  double floorFor(const RemovalLimits& limits) const;
+  void collectApexes(Index v);
+  bool ridgeTurns(Index v) const;
+  void rankApexes(const RemovalLimits& limits);
+  double worstFrom(Index apex, double floor, const RemovalLimits& limits);
+  RemovalVerdict tryApex(Index v, Index apex);
+  bool losesOnlyMarked(Index v) const;
+  bool isOverLarge(Index v, Index apex) const;
+  void forgetLost(Index v, Index apex);
+
+  TetMesh& mesh_;
+  BoundaryRules& rules_;
+  LayerRegion& region_;
+  double cosine_;
+  Star star_;
+  Traversal traversal_;
+  GrowingCavity cavity_;
+  SurfaceStar surface_;
+  Marks seen_;
+  std::vector<Index> ball_;
+  std::vector<Index> apexes_;
+  std::vector<Candidate> candidates_;
+  const std::vector<Index>* made_ = nullptr;
+  std::size_t absorbed_ = 0;
+};
+} // namespace ransmesh
