@@ -8,8 +8,8 @@ cd "$(dirname "$0")/.."
 folder=${1:-build/nosecone}
 
 sh Filters/CMake/install-debian-packages.sh
-cmake --preset release -DRANSMESHING_BUILD_TESTING=OFF
-cmake --build --preset release
+cmake --preset quick-start
+cmake --build --preset quick-start
 
 mkdir -p "$folder"
-xvfb-run -a build/release/bin/ransmesh-nosecone-demo "$folder"
+xvfb-run -a build/quick-start/bin/ransmesh-nosecone-demo "$folder"

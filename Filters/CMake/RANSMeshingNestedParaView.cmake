@@ -2,6 +2,7 @@
 include(ExternalProject)
 set(nested_dir "${PROJECT_BINARY_DIR}/paraview")
 ExternalProject_Add(RANSMeshingParaView
+  DEPENDS Core TetGen BoundaryLayer # one after the other: ccache then has the kernel
   SOURCE_DIR "${PROJECT_SOURCE_DIR}"
   BINARY_DIR "${nested_dir}"
   INSTALL_COMMAND ""
@@ -16,8 +17,11 @@ ExternalProject_Add(RANSMeshingParaView
     -DCMAKE_INSTALL_PREFIX:PATH=${CMAKE_INSTALL_PREFIX}
     -DPython3_EXECUTABLE:FILEPATH=${Python3_EXECUTABLE})
 
-install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${nested_dir}\"
-  --prefix \"\${CMAKE_INSTALL_PREFIX}\" COMMAND_ERROR_IS_FATAL ANY)")
+# Not its component "development": nobody links the plugin's libraries.
+foreach(component IN ITEMS runtime Unspecified)
+  install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" --install \"${nested_dir}\"
+    --component ${component} --prefix \"\${CMAKE_INSTALL_PREFIX}\" COMMAND_ERROR_IS_FATAL ANY)")
+endforeach()
 
 if(RANSMESHING_BUILD_TESTING)
   add_test(NAME ParaViewTree
