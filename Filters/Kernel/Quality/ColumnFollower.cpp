@@ -59,7 +59,7 @@ ColumnFollower::Step ColumnFollower::closestToNormal(
   return best;
 }
 
-void ColumnFollower::follow(const WallPoint& from, const LayerHeights& asked, FoundColumn& column) const
+void ColumnFollower::follow(const ColumnFoot& from, const LayerHeights& asked, FoundColumn& column) const
 {
   column.points.assign(1, from.point);
   column.spacings.clear();

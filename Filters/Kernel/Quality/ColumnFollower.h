@@ -36,7 +36,7 @@ public:
   ColumnFollower(const MeshData& mesh, const ColumnRules& rules);
 
   // The column's memory is used again: call with one object for many wall points.
-  void follow(const WallPoint& from, const LayerHeights& asked, FoundColumn& column) const;
+  void follow(const ColumnFoot& from, const LayerHeights& asked, FoundColumn& column) const;
 
 private:
   struct Step

@@ -21,7 +21,7 @@ namespace ransmesh
 struct ReportOptions
 {
   ColumnRules columns;
-  double smoothAngle = 20; // degrees; see wallPointsOf
+  double smoothAngle = 20; // degrees; see columnFeetOf
 };
 
 struct PatchSummary

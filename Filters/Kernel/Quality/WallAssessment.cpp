@@ -20,7 +20,7 @@ struct WallSamples
   std::vector<double> topToWallEdge;
 };
 
-void addFace(const WallFace& face, double asked, double tolerance, WallSamples& wall)
+void addFace(const MeasuredWallFace& face, double asked, double tolerance, WallSamples& wall)
 {
   ++wall.summary.faces;
   wall.summary.area += face.area;
@@ -32,7 +32,7 @@ void addFace(const WallFace& face, double asked, double tolerance, WallSamples& 
   }
 }
 
-void addColumn(const WallPoint& foot, const FoundColumn& column, int asked, WallSamples& wall)
+void addColumn(const ColumnFoot& foot, const FoundColumn& column, int asked, WallSamples& wall)
 {
   ++wall.summary.smoothPoints;
   auto& byLayers = wall.summary.columnsByLayers;
@@ -145,7 +145,7 @@ std::vector<LayerHeights> heightsOf(const LayerPlan& plan)
   return heights;
 }
 
-void followColumns(const ReportSubject& subject, const std::vector<WallPoint>& feet,
+void followColumns(const ReportSubject& subject, const std::vector<ColumnFoot>& feet,
   const ReportOptions& options, const Context& context, std::vector<WallSamples>& walls,
   std::vector<char>& onColumn)
 {
@@ -154,7 +154,7 @@ void followColumns(const ReportSubject& subject, const std::vector<WallPoint>& f
   FoundColumn column;
   for (std::size_t i = 0; i < feet.size() && !(i % 4096 == 0 && context.stopped()); ++i)
   {
-    const WallPoint& foot = feet[i];
+    const ColumnFoot& foot = feet[i];
     follower.follow(foot, heights[foot.patch], column);
     for (const Index v : column.points)
     {
@@ -177,20 +177,20 @@ WallAssessment assessWalls(const ReportSubject& subject, const FaceMatching& mat
 {
   WallAssessment result;
   result.onColumn.assign(subject.mesh.points.size(), 0);
-  const std::vector<WallFace> faces = wallFacesOf(subject.mesh, matching, subject.plan);
+  const std::vector<MeasuredWallFace> faces = wallFacesOf(subject.mesh, matching, subject.plan);
   if (faces.empty())
   {
     return result;
   }
   std::vector<WallSamples> walls = emptySamples(subject);
-  for (const WallFace& face : faces)
+  for (const MeasuredWallFace& face : faces)
   {
     for (WallSamples* wall : { &walls[0], &walls[face.patch] })
     {
       addFace(face, subject.plan[face.patch].firstHeight, options.columns.tolerance, *wall);
     }
   }
-  followColumns(subject, wallPointsOf(subject.mesh, faces, options.smoothAngle), options, context, walls,
+  followColumns(subject, columnFeetOf(subject.mesh, faces, options.smoothAngle), options, context, walls,
     result.onColumn);
   for (WallSamples& wall : walls)
   {

@@ -10,11 +10,11 @@ namespace ransmesh
 {
 namespace
 {
-WallFace makeFace(const MeshData& mesh, HalfFace inner, int patch)
+MeasuredWallFace makeFace(const MeshData& mesh, HalfFace inner, int patch)
 {
   const auto& tet = mesh.tetrahedra[tetOf(inner)];
   const int* corner = FaceCorners[faceOf(inner)];
-  WallFace face;
+  MeasuredWallFace face;
   face.patch = patch;
   face.tet = tetOf(inner);
   face.vertex = { tet[corner[0]], tet[corner[1]], tet[corner[2]] };
@@ -39,7 +39,7 @@ struct PointSums
   double worstCosine = 1;
 };
 
-void addFace(const MeshData& mesh, const WallFace& face, std::vector<PointSums>& sums)
+void addFace(const MeshData& mesh, const MeasuredWallFace& face, std::vector<PointSums>& sums)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -55,7 +55,8 @@ void addFace(const MeshData& mesh, const WallFace& face, std::vector<PointSums>&
 }
 } // namespace
 
-std::vector<WallFace> wallFacesOf(const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan)
+std::vector<MeasuredWallFace> wallFacesOf(
+  const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan)
 {
   std::vector<HalfFace> innerOf(mesh.triangles.size(), None);
   for (std::size_t face = 0; face < matching.opposite.size(); ++face)
@@ -66,7 +67,7 @@ std::vector<WallFace> wallFacesOf(const MeshData& mesh, const FaceMatching& matc
       innerOf[boundaryFaceOf(other)] = static_cast<HalfFace>(face);
     }
   }
-  std::vector<WallFace> faces;
+  std::vector<MeasuredWallFace> faces;
   for (std::size_t i = 0; i < innerOf.size(); ++i)
   {
     const auto patch = static_cast<std::size_t>(mesh.trianglePatch[i]);
@@ -78,11 +79,11 @@ std::vector<WallFace> wallFacesOf(const MeshData& mesh, const FaceMatching& matc
   return faces;
 }
 
-std::vector<WallPoint> wallPointsOf(
-  const MeshData& mesh, const std::vector<WallFace>& faces, double smoothAngle)
+std::vector<ColumnFoot> columnFeetOf(
+  const MeshData& mesh, const std::vector<MeasuredWallFace>& faces, double smoothAngle)
 {
   std::vector<PointSums> sums(mesh.points.size());
-  for (const WallFace& face : faces)
+  for (const MeasuredWallFace& face : faces)
   {
     addFace(mesh, face, sums);
   }
@@ -90,7 +91,7 @@ std::vector<WallPoint> wallPointsOf(
   {
     at.normal = normalized(at.normal);
   }
-  for (const WallFace& face : faces)
+  for (const MeasuredWallFace& face : faces)
   {
     for (const Index v : face.vertex)
     {
@@ -98,7 +99,7 @@ std::vector<WallPoint> wallPointsOf(
     }
   }
   const double smoothCosine = cosineOfDegrees(smoothAngle);
-  std::vector<WallPoint> points;
+  std::vector<ColumnFoot> points;
   for (std::size_t v = 0; v < sums.size(); ++v)
   {
     const PointSums& at = sums[v];

@@ -10,7 +10,7 @@
 
 namespace ransmesh
 {
-struct WallFace
+struct MeasuredWallFace
 {
   int patch = 0;
   Index tet = None; // the tetrahedron on it
@@ -20,7 +20,7 @@ struct WallFace
   std::array<Index, 3> vertex{};
 };
 
-struct WallPoint
+struct ColumnFoot
 {
   Index point = None;
   int patch = 0;  // where several walls meet: the lowest number
@@ -30,10 +30,11 @@ struct WallPoint
 };
 
 // The triangles of patches with layers that lie on a tetrahedron. Point numbers must be in range.
-std::vector<WallFace> wallFacesOf(const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan);
+std::vector<MeasuredWallFace> wallFacesOf(
+  const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan);
 
 // The points of these faces in order of number. A point is smooth where no face turns by smoothAngle
 // (degrees) or more from the mean normal.
-std::vector<WallPoint> wallPointsOf(
-  const MeshData& mesh, const std::vector<WallFace>& faces, double smoothAngle);
+std::vector<ColumnFoot> columnFeetOf(
+  const MeshData& mesh, const std::vector<MeasuredWallFace>& faces, double smoothAngle);
 } // namespace ransmesh
