@@ -1,7 +1,7 @@
 // Measures of every tetrahedron of a mesh.
 #pragma once
 
-#include "Mesh/MeshData.h"
+#include "Mesh/TetMesh.h"
 
 #include <cstddef>
 #include <vector>
@@ -16,12 +16,13 @@ struct CellMeasures
   std::vector<double> shortestEdge;
   std::vector<double> largestDihedral;
   std::vector<double> smallestDihedral;
-  std::vector<double> stretching; // longest edge over smallest height
-  std::vector<double> quality;    // volume over the cube of the rms edge, 1 for the regular tetrahedron
+  std::vector<double> stretching;  // longest edge over smallest height
+  std::vector<double> quality;     // volume over the cube of the rms edge, 1 for the regular tetrahedron
+  std::vector<HalfFace> innerFace; // of each boundary triangle: the tetrahedron's face it lies on, or None
 
   std::size_t count() const { return volume.size(); }
 };
 
-// Point numbers must be in range and the points finite.
+// Point numbers must be in range and the points finite. Leaves innerFace empty.
 CellMeasures measureCells(const MeshData& mesh);
 } // namespace ransmesh

@@ -94,6 +94,7 @@ void measureMesh(const ReportSubject& subject, const FaceMatching& matching, con
 {
   context.report(0.3, "measuring the tetrahedra");
   cells = measureCells(subject.mesh);
+  cells.innerFace = innerFacesOf(subject.mesh, matching);
   report.volume = totalVolume(subject.mesh);
   report.patches = summarizePatches(subject.mesh, subject.patches);
   report.cellVolume = quantilesOf(cells.volume);
@@ -106,7 +107,7 @@ void measureMesh(const ReportSubject& subject, const FaceMatching& matching, con
     return;
   }
   context.report(0.7, "following the layers");
-  WallAssessment assessment = assessWalls(subject, matching, report.options, context);
+  WallAssessment assessment = assessWalls(subject, cells.innerFace, report.options, context);
   report.walls = std::move(assessment.walls);
   if (!report.walls.empty() || subject.layerId)
   {

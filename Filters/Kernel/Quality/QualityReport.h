@@ -69,6 +69,13 @@ struct WallSummary
   Quantiles topToWallEdge; // a column's last spacing over the wall's mean edge at its foot: 1 is isotropic
 };
 
+// How many columns the enrichment says that it stopped for one reason.
+struct StopCount
+{
+  std::string reason;
+  std::size_t columns = 0;
+};
+
 struct QualityReport
 {
   bool isValid = false;
@@ -89,6 +96,7 @@ struct QualityReport
   ShapeSummary layers; // tetrahedra with a LayerId; without LayerId those with all points on columns
 
   std::vector<WallSummary> walls; // all walls together first, then each; empty without a plan
+  std::vector<StopCount> stops;   // not measured, but told by whoever knows; may be empty
   ReportOptions options;
   std::vector<Histogram> histograms;
 };
@@ -101,8 +109,8 @@ struct ReportSubject
   const std::vector<int>* layerId = nullptr; // of each tetrahedron, 0 none; may be left out
 };
 
-// Linear in the size of the mesh. cells receives the measures of each tetrahedron, if wanted (empty where
-// the report is not measured). If the context is stopped, the report is incomplete.
+// Linear in the size of the mesh. cells, if given, receives the measures of each tetrahedron and what lies behind
+// each triangle (empty where the report is not measured). If the context is stopped, the report is incomplete.
 QualityReport reportQuality(const ReportSubject& subject, const ReportOptions& options,
   const Context& context, CellMeasures* cells = nullptr);
 } // namespace ransmesh

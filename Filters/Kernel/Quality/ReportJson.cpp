@@ -145,6 +145,12 @@ void writeMeasures(JsonWriter& json, const QualityReport& report)
   json.endObject();
   writeByName(json, "Walls", report.walls,
     [](const WallSummary& w) { return w.patch == 0 ? std::string("whole") : std::to_string(w.patch); });
+  json.name("ColumnsStopped").beginObject();
+  for (const StopCount& stop : report.stops)
+  {
+    json.name(stop.reason).value(stop.columns);
+  }
+  json.endObject();
   writeByName(
     json, "Histograms", report.histograms, [](const Histogram& h) { return h.quantity + " of " + h.scope; });
 }

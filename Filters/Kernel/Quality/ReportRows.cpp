@@ -131,6 +131,11 @@ std::vector<ReportRow> reportRows(const QualityReport& report)
     rows.add("BoundaryTriangles", patch.triangles, "triangles");
     rows.add("Area", patch.area, "length^2");
   }
+  rows.scope("whole");
+  for (const StopCount& stop : report.stops)
+  {
+    rows.add("ColumnsStopped " + stop.reason, stop.columns, "columns");
+  }
   for (const WallSummary& wall : report.walls)
   {
     rows.scope(wall.name);

@@ -76,7 +76,7 @@ std::string meshText(const QualityReport& report)
 
 std::string patchesText(const std::vector<PatchSummary>& patches)
 {
-  std::string text = format("\n  %5s %-28s %-10s %14s %14s\n", "patch", "name", "type", "triangles", "area");
+  std::string text = format("\n  %5s %-28s %-10s %14s %14s\n", "", "patch", "type", "triangles", "area");
   for (std::size_t i = 0; i < std::min(patches.size(), PatchesShown); ++i)
   {
     const PatchSummary& patch = patches[i];
@@ -139,6 +139,17 @@ std::string wallRow(const WallSummary& wall)
     percent(wall.shareFull).c_str(), percent(wall.shareEmpty).c_str());
 }
 
+std::string stopsText(const std::vector<StopCount>& stops)
+{
+  std::string text;
+  for (const StopCount& stop : stops)
+  {
+    text += (text.empty() ? "  columns that stopped early: " : ", ") + stop.reason + " " +
+      std::to_string(stop.columns);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 std::string wallsText(const QualityReport& report)
 {
   if (report.walls.empty())
@@ -153,9 +164,9 @@ std::string wallsText(const QualityReport& report)
     text += wallRow(report.walls[i]);
   }
   text += more(report.walls.size() - shown);
-  text += format("  (h0 met: share of the wall's area, within a factor of %g; columns: from smooth points, "
-                 "along mesh edges)\n",
+  text += format("  (h0 met: share of the area, within a factor of %g; columns: from smooth wall points)\n",
     report.options.columns.tolerance);
+  text += stopsText(report.stops);
   const WallSummary& all = report.walls.front();
   text += "\n" + quantileHeading("layers found");
   text += row("first height / asked", all.firstHeightRatio);

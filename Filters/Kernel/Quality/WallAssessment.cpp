@@ -172,12 +172,12 @@ void followColumns(const ReportSubject& subject, const std::vector<ColumnFoot>& 
 }
 } // namespace
 
-WallAssessment assessWalls(const ReportSubject& subject, const FaceMatching& matching,
+WallAssessment assessWalls(const ReportSubject& subject, const std::vector<HalfFace>& innerFaces,
   const ReportOptions& options, const Context& context)
 {
   WallAssessment result;
   result.onColumn.assign(subject.mesh.points.size(), 0);
-  const std::vector<MeasuredWallFace> faces = wallFacesOf(subject.mesh, matching, subject.plan);
+  const std::vector<MeasuredWallFace> faces = wallFacesOf(subject.mesh, innerFaces, subject.plan);
   if (faces.empty())
   {
     return result;

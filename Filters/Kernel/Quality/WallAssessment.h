@@ -1,7 +1,6 @@
 // The layers on the walls, measured.
 #pragma once
 
-#include "Mesh/FaceMatching.h"
 #include "Quality/QualityReport.h"
 
 #include <vector>
@@ -15,6 +14,6 @@ struct WallAssessment
   std::vector<char> onColumn;        // of each point: is it on a column, smooth foot or not
 };
 
-WallAssessment assessWalls(const ReportSubject& subject, const FaceMatching& matching,
+WallAssessment assessWalls(const ReportSubject& subject, const std::vector<HalfFace>& innerFaces,
   const ReportOptions& options, const Context& context);
 } // namespace ransmesh

@@ -55,25 +55,30 @@ void addFace(const MeshData& mesh, const MeasuredWallFace& face, std::vector<Poi
 }
 } // namespace
 
-std::vector<MeasuredWallFace> wallFacesOf(
-  const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan)
+std::vector<HalfFace> innerFacesOf(const MeshData& mesh, const FaceMatching& matching)
 {
-  std::vector<HalfFace> innerOf(mesh.triangles.size(), None);
+  std::vector<HalfFace> innerFaces(mesh.triangles.size(), None);
   for (std::size_t face = 0; face < matching.opposite.size(); ++face)
   {
     const Index other = matching.opposite[face];
     if (other < 0 && other != FaceMatching::Unmatched)
     {
-      innerOf[boundaryFaceOf(other)] = static_cast<HalfFace>(face);
+      innerFaces[boundaryFaceOf(other)] = static_cast<HalfFace>(face);
     }
   }
+  return innerFaces;
+}
+
+std::vector<MeasuredWallFace> wallFacesOf(
+  const MeshData& mesh, const std::vector<HalfFace>& innerFaces, const LayerPlan& plan)
+{
   std::vector<MeasuredWallFace> faces;
-  for (std::size_t i = 0; i < innerOf.size(); ++i)
+  for (std::size_t i = 0; i < innerFaces.size(); ++i)
   {
     const auto patch = static_cast<std::size_t>(mesh.trianglePatch[i]);
-    if (innerOf[i] != None && patch < plan.size() && plan[patch].hasLayers())
+    if (innerFaces[i] != None && patch < plan.size() && plan[patch].hasLayers())
     {
-      faces.push_back(makeFace(mesh, innerOf[i], mesh.trianglePatch[i]));
+      faces.push_back(makeFace(mesh, innerFaces[i], mesh.trianglePatch[i]));
     }
   }
   return faces;

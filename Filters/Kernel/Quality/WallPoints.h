@@ -4,7 +4,7 @@
 #include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/FaceMatching.h"
-#include "Mesh/MeshData.h"
+#include "Mesh/TetMesh.h"
 
 #include <vector>
 
@@ -29,9 +29,12 @@ struct ColumnFoot
   double wallEdge = 0; // mean length of the wall's edges at the point
 };
 
+// Of each triangle the face of a tetrahedron that it lies on, or None.
+std::vector<HalfFace> innerFacesOf(const MeshData& mesh, const FaceMatching& matching);
+
 // The triangles of patches with layers that lie on a tetrahedron. Point numbers must be in range.
 std::vector<MeasuredWallFace> wallFacesOf(
-  const MeshData& mesh, const FaceMatching& matching, const LayerPlan& plan);
+  const MeshData& mesh, const std::vector<HalfFace>& innerFaces, const LayerPlan& plan);
 
 // The points of these faces in order of number. A point is smooth where no face turns by smoothAngle
 // (degrees) or more from the mean normal.

@@ -19,6 +19,13 @@ inline constexpr const char* LayersGrowthRate = "LayersGrowthRate";             
 inline constexpr const char* LayersNumber = "LayersNumber";                       // int, 0: no layers here
 inline constexpr const char* LayersConstant = "LayersConstant";                   // int
 inline constexpr const char* LayersIsotropicFraction = "LayersIsotropicFraction"; // double
+// Cell data that the quality report adds, all double; boundary triangles show the tetrahedron behind them,
+// but have no volume.
+inline constexpr const char* Volume = "Volume";                     // cube of the length unit, signed
+inline constexpr const char* LargestDihedral = "LargestDihedral";   // degrees
+inline constexpr const char* SmallestDihedral = "SmallestDihedral"; // degrees
+inline constexpr const char* Stretching = "Stretching";             // longest edge over smallest height
+inline constexpr const char* Quality = "Quality";                   // volume over rms edge cubed, 1 regular
 // Field data of the mesher's output.
 inline constexpr const char* MesherSwitches =
   "MesherSwitches"; // string: the switches that TetGen was run with
