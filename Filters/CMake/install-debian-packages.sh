@@ -12,7 +12,7 @@ packages="
   libvtk9-dev python3-vtk9 python3-dev python3-numpy
   libtet1.5-dev libcgal-dev
   libgtest-dev libbenchmark-dev clang-format clang-tidy
-  paraview-dev libqt5svg5 xvfb xauth"
+  paraview-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 xvfb xauth"
 unpacked="paraview paraview-dev python3-paraview"
 
 missing=""
