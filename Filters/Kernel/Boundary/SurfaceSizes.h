@@ -1,0 +1,21 @@
+// The lengths of a surface's edges: as they are, and as they should be.
+#pragma once
+
+#include "Boundary/SurfaceMesh.h"
+
+#include <functional>
+#include <vector>
+
+namespace ransmesh
+{
+// The mean length of the edges at each point, limited so that along an edge it grows by at most
+// `slope` times the edge's length.
+std::vector<double> sizesOnSurface(const SurfaceMesh& surface, double slope);
+
+// Halves edges longer than `factor` times limit(midpoint), again and again, so that the surface stays
+// closed; the longest edge of a triangle goes first, which keeps the angles good. New points lie on the
+// old triangles; patches are kept. `limit` must be positive; infinity leaves an edge alone.
+// Gives how many edges were halved.
+std::size_t halveLongEdges(
+  SurfaceMesh& surface, const std::function<double(const Vector3&)>& limit, double factor = 1.5);
+} // namespace ransmesh

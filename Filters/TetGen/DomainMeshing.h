@@ -1,0 +1,39 @@
+// From a checked surface to a tetrahedral mesh: regions, sizes, and a ladder of attempts by TetGen.
+#pragma once
+
+#include "FarField.h"
+#include "TetGenWorker.h"
+#include "Worker/SizeLimits.h"
+
+#include "Boundary/SurfaceCheck.h"
+#include "Mesh/MeshData.h"
+
+#include <optional>
+
+namespace ransmesh
+{
+struct MeshingOptions
+{
+  SizeLimits limits;            // sizes that are asked for in space; its slope holds for the surface too
+  double radiusEdgeRatio = 1.4; // the largest that is wanted
+  double minimumDihedral = 10;  // degrees, wanted
+};
+
+struct MeshingResult
+{
+  MeshData mesh;
+  std::string switches;             // of the TetGen run that made it
+  std::vector<std::string> remarks; // what the user should know
+  // On failure: the triangles that are wrong, where they are known.
+  SurfaceMesh problemSurface;
+  std::vector<SurfaceFinding> problems;
+};
+
+// Meshes what the surface, and the box around it if there is one, encloses; the insides of bodies stay
+// empty. The surface's triangles are kept as they are; the box's sides are divided as the sizes need.
+// TetGen is tried with its own tolerance first, then with finer ones. A mesh is given only if it is
+// valid in exact arithmetic.
+Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>& box,
+  const PatchTable& patches, const MeshingOptions& options, const TetGenWorker& worker,
+  const Context& context, MeshingResult& result);
+} // namespace ransmesh

@@ -1,0 +1,21 @@
+// Types of patches, guessed from their names or set by the user.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Support/Outcome.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ransmesh
+{
+// The type that a name suggests by one of its words: wall, symmetry, farfield, inlet, outlet, wake,
+// interface and common short forms of them, in any case; else `patch`. Words are parted by signs,
+// digits and changes from lower to upper case: "SymmPlane_2" is a symmetry, "asymptote" is not.
+PatchType guessType(const std::string& name);
+
+// Sets the types of the patches that the patterns take: a name, a name with the wildcards * and ?, or a
+// number; later rules win. BadInput for an unknown type, or a pattern that takes no patch.
+Outcome setTypes(const std::vector<std::pair<std::string, std::string>>& typeOfPattern, PatchTable& patches);
+} // namespace ransmesh

@@ -1,0 +1,14 @@
+// The triangles that are wrong with a surface, as poly data.
+#pragma once
+
+#include "Boundary/SurfaceCheck.h"
+
+class vtkPolyData;
+
+namespace ransmesh
+{
+// One triangle a finding, with the cell arrays Reason, PartnerId (the cell number of the partner here, or
+// -1) and PatchId, and the field data ReasonNames. No findings: an empty output with these arrays.
+void writeProblems(
+  const SurfaceMesh& surface, const std::vector<SurfaceFinding>& findings, vtkPolyData* output);
+} // namespace ransmesh

@@ -1,0 +1,230 @@
+#include "SurfaceInput.h"
+
+#include "PatchFieldData.h"
+#include "PatchNaming.h"
+#include "SurfacePieces.h"
+
+#include "Support/DataContract.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+namespace ransmesh
+{
+namespace
+{
+// Where other tools leave patch numbers: gmsh (through its VTK writer and meshio), SimVascular, Medit,
+// SU2, FEniCS, VTK's readers of STL and OBJ.
+constexpr const char* ForeignArrays[] = { "CellEntityIds", "gmsh:physical", "ModelFaceID", "medit:ref",
+  "su2:tag", "cell_tags", "STLSolidLabeling", "GroupIds" };
+
+// The number of each cell, if the array is there and holds whole numbers.
+std::optional<std::vector<int>> numbersIn(vtkPolyData* surface, const char* name)
+{
+  vtkDataArray* array = surface->GetCellData()->GetArray(name);
+  if (!array || array->GetNumberOfComponents() != 1)
+  {
+    return std::nullopt;
+  }
+  std::vector<int> numbers;
+  numbers.reserve(array->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const double value = array->GetTuple1(i);
+    if (!(std::fabs(value) < std::numeric_limits<int>::max()) || value != std::floor(value))
+    {
+      return std::nullopt;
+    }
+    numbers.push_back(static_cast<int>(value));
+  }
+  return numbers;
+}
+
+// Gives patches their numbers in the mesh.
+class Numbering
+{
+public:
+  explicit Numbering(PatchTable& patches)
+    : patches_(patches)
+  {
+    patches_.assign(1, { "fluid", PatchType::Patch });
+  }
+
+  // The patch of that name; wanted > 0 is its number if that is free, else it gets the next one.
+  int patchNamed(const std::string& name, PatchType type, int wanted)
+  {
+    if (const auto known = numberOf_.find(name); known != numberOf_.end())
+    {
+      return known->second;
+    }
+    const bool free = wanted > 0 && wanted <= LargestKept &&
+      (wanted >= static_cast<int>(patches_.size()) || patches_[wanted].name.empty());
+    const int number = free ? wanted : static_cast<int>(patches_.size());
+    if (number >= static_cast<int>(patches_.size()))
+    {
+      patches_.resize(number + 1);
+    }
+    patches_[number] = { name, type };
+    numberOf_[name] = number;
+    return number;
+  }
+
+  void nameGaps()
+  {
+    for (std::size_t i = 1; i < patches_.size(); ++i)
+    {
+      if (patches_[i].name.empty())
+      {
+        patches_[i].name = "unused_" + std::to_string(i);
+      }
+    }
+  }
+
+private:
+  static constexpr int LargestKept = 100000; // the table has a row for each number
+  PatchTable& patches_;
+  std::map<std::string, int> numberOf_;
+};
+
+class PieceReader
+{
+public:
+  PieceReader(SurfaceInput& result, std::size_t pieces)
+    : result_(result)
+    , numbering_(result.patches)
+    , pieces_(pieces)
+  {
+  }
+
+  void read(const SurfacePiece& piece)
+  {
+    ++piece_;
+    appendTriangles(piece.data);
+    if (auto numbers = numbersIn(piece.data, contract::PatchId))
+    {
+      assign(*numbers, piece, true);
+      return;
+    }
+    for (const char* array : ForeignArrays)
+    {
+      auto numbers = numbersIn(piece.data, array);
+      if (numbers &&
+        *std::min_element(numbers->begin(), numbers->end()) !=
+          *std::max_element(numbers->begin(), numbers->end()))
+      {
+        assign(*numbers, piece, false);
+        return;
+      }
+    }
+    assignWhole(piece);
+  }
+
+  void finish() { numbering_.nameGaps(); }
+
+private:
+  void appendTriangles(vtkPolyData* data)
+  {
+    const auto offset = static_cast<Index>(result_.surface.points.size());
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      data->GetPoint(i, x);
+      result_.surface.points.push_back({ x[0], x[1], x[2] });
+    }
+    vtkCellArray* polygons = data->GetPolys();
+    for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* v = nullptr;
+      polygons->GetCellAtId(i, size, v);
+      const auto corner = [v, offset](int k) { return static_cast<Index>(v[k]) + offset; };
+      result_.surface.triangles.push_back({ corner(0), corner(1), corner(2) });
+    }
+  }
+
+  std::string baseName(const SurfacePiece& piece) const
+  {
+    return !piece.name.empty() ? piece.name : pieces_ > 1 ? "surface_" + std::to_string(piece_) : "";
+  }
+
+  void assign(const std::vector<int>& numbers, const SurfacePiece& piece, bool keepNumbers)
+  {
+    const PatchTable named = keepNumbers ? readPatches(piece.data->GetFieldData()) : PatchTable{};
+    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+    const std::string base = baseName(piece);
+    std::map<int, int> patchOf;
+    for (const int number : numbers)
+    {
+      patchOf[number] = 0;
+    }
+    for (auto& [number, patch] : patchOf)
+    {
+      if (number >= 1 && number < static_cast<int>(named.size()))
+      {
+        const Patch& given = named[number];
+        const PatchType type = given.type == PatchType::Patch ? guessType(given.name) : given.type;
+        patch = numbering_.patchNamed(given.name, type, number);
+        continue;
+      }
+      const std::string name = base.empty() ? "patch_" + std::to_string(number)
+        : *least == *most                   ? base
+                                            : base + "_" + std::to_string(number);
+      patch = numbering_.patchNamed(name, guessType(name), keepNumbers ? number : 0);
+    }
+    for (const int number : numbers)
+    {
+      result_.surface.patch.push_back(patchOf[number]);
+    }
+  }
+
+  void assignWhole(const SurfacePiece& piece)
+  {
+    const std::string base = baseName(piece);
+    const std::string name = base.empty() ? "surface" : base;
+    const int patch = numbering_.patchNamed(name, guessType(name), 0);
+    result_.surface.patch.resize(result_.surface.triangles.size(), patch);
+    if (std::find(result_.wholePieces.begin(), result_.wholePieces.end(), patch) == result_.wholePieces.end())
+    {
+      result_.wholePieces.push_back(patch);
+    }
+  }
+
+  SurfaceInput& result_;
+  Numbering numbering_;
+  std::size_t pieces_;
+  std::size_t piece_ = 0;
+};
+} // namespace
+
+Outcome readSurface(const std::vector<vtkDataObject*>& inputs, SurfaceInput& result)
+{
+  std::vector<SurfacePiece> pieces;
+  if (Outcome outcome = collectPieces(inputs, pieces); !outcome.ok())
+  {
+    return outcome;
+  }
+  vtkIdType points = 0;
+  for (const SurfacePiece& piece : pieces)
+  {
+    points += piece.data->GetNumberOfPoints() + 2 * piece.data->GetNumberOfPolys();
+  }
+  if (points > std::numeric_limits<Index>::max() / 8)
+  {
+    return Outcome::badInput("the surface is too large: more than 250 million points and triangles");
+  }
+  PieceReader reader(result, pieces.size());
+  for (const SurfacePiece& piece : pieces)
+  {
+    reader.read(piece);
+  }
+  reader.finish();
+  return Outcome::done();
+}
+} // namespace ransmesh

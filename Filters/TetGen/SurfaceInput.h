@@ -1,0 +1,28 @@
+// From VTK's surfaces to one triangulated surface with patches.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Boundary/SurfaceMesh.h"
+#include "Support/Outcome.h"
+
+#include <vector>
+
+class vtkDataObject;
+
+namespace ransmesh
+{
+struct SurfaceInput
+{
+  SurfaceMesh surface; // points not merged yet
+  PatchTable patches;
+  std::vector<int> wholePieces; // patches that are all of an input piece, for want of anything finer
+  std::vector<std::string> remarks;
+};
+
+// Reads poly data and composite data of them; polygons and strips are triangulated. The patch of a cell
+// is found in the order of the data contract: the array PatchId; an array that another tool has left;
+// else each piece is one patch. Numbers that PatchId gives are kept where they are unique; all others
+// follow in the order of the input. Names come from PatchNames, else from the block's name and the
+// number. Types come from PatchTypes, else from the names.
+Outcome readSurface(const std::vector<vtkDataObject*>& inputs, SurfaceInput& result);
+} // namespace ransmesh

@@ -1,0 +1,26 @@
+// What TetGen made, in the kernel's terms.
+#pragma once
+
+#include "Worker/Protocol.h"
+
+#include "Mesh/MeshData.h"
+#include "Support/Outcome.h"
+
+#include <vector>
+
+namespace ransmesh
+{
+// A point inside each region that is no fluid. Fluid are the regions that reach the outside: those next
+// to the outermost surface. All others are enclosed by them: the insides of bodies. The result must
+// come from a run with the switch A.
+std::vector<Vector3> findHoles(const worker::Result& result);
+
+struct AssembledMesh
+{
+  MeshData mesh;   // triangles sorted by patch, turned outward
+  MeshData sheets; // points and triangles that have fluid on both sides
+};
+
+// Turns tetrahedra and triangles as the data contract wants them, and drops unused points.
+AssembledMesh assemble(const worker::Result& result);
+} // namespace ransmesh

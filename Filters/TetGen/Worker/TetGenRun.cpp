@@ -1,0 +1,220 @@
+#include "TetGenRun.h"
+
+#include "SizeField.h"
+#include "SizeLimits.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+
+#ifndef TETLIBRARY
+#define TETLIBRARY
+#endif
+// The header's inline version frees the mesh and then throws; the library's calls shall reach the
+// function below instead.
+#define terminatetetgen terminatetetgenOfTheHeader
+#include <tetgen.h>
+#undef terminatetetgen
+
+__attribute__((visibility("default"))) void terminatetetgen(tetgenmesh*, int code)
+{
+  std::fflush(stdout);
+  std::_Exit(ransmesh::worker::ExitTetGen + code);
+}
+
+namespace ransmesh::worker
+{
+namespace
+{
+// A tetrahedron is too large when its circumradius exceeds this times the wanted edge length. An
+// equilateral one has 0.61; with 0.8 the mean edge of a mesh is 0.97 of what was wanted (measured).
+constexpr double LargestCircumradius = 0.8;
+
+// The wanted size at mesh points. TetGen asks about tetrahedra by the addresses of their points, so
+// the size of each point is computed once and found again by address.
+class PointCache
+{
+public:
+  explicit PointCache(const Request& request)
+    : points_(pointsOf(request), request.slope)
+  {
+    limits_.maximum = request.maximumSize;
+    limits_.slope = request.slope;
+    const auto& b = request.boxSources;
+    for (std::size_t i = 0; i + 6 < b.size(); i += 7)
+    {
+      limits_.boxes.push_back({ { b[i], b[i + 2], b[i + 4] }, { b[i + 1], b[i + 3], b[i + 5] }, b[i + 6] });
+    }
+    const auto& s = request.sphereSources;
+    for (std::size_t i = 0; i + 4 < s.size(); i += 5)
+    {
+      limits_.spheres.push_back({ { s[i], s[i + 1], s[i + 2] }, s[i + 3], s[i + 4] });
+    }
+  }
+
+  double sizeAt(const double* p)
+  {
+    const auto address = reinterpret_cast<std::uintptr_t>(p);
+    Entry& entry = entries_[((address >> 4) * 0x9E3779B97F4A7C15u) >> (64 - Bits)];
+    if (entry.address != p || std::memcmp(entry.place.data(), p, sizeof entry.place) != 0)
+    {
+      const Vector3 place{ p[0], p[1], p[2] };
+      entry = { p, { p[0], p[1], p[2] }, std::min(limits_.at(place), points_.at(place)) };
+      count();
+    }
+    return entry.size;
+  }
+
+private:
+  struct Entry
+  {
+    const double* address = nullptr;
+    std::array<double, 3> place{};
+    double size = 0;
+  };
+
+  static std::vector<SizePoint> pointsOf(const Request& request)
+  {
+    std::vector<SizePoint> points;
+    const auto& s = request.pointSources;
+    for (std::size_t i = 0; i + 3 < s.size(); i += 4)
+    {
+      points.push_back({ { s[i], s[i + 1], s[i + 2] }, s[i + 3] });
+    }
+    return points;
+  }
+
+  void count()
+  {
+    if (++seen_ % 20000 == 0)
+    {
+      std::printf("%s%ld\n", ProgressMark, seen_);
+    }
+  }
+
+  static constexpr int Bits = 21;
+  std::vector<Entry> entries_ = std::vector<Entry>(std::size_t(1) << Bits);
+  SizeLimits limits_;
+  PointSizes points_;
+  long seen_ = 0;
+};
+
+// TetGen's callback has no place for data of the caller.
+std::unique_ptr<PointCache> sizes;
+
+bool isTooLarge(double* a, double* b, double* c, double* d, double*, double)
+{
+  const double wanted = (sizes->sizeAt(a) + sizes->sizeAt(b) + sizes->sizeAt(c) + sizes->sizeAt(d)) / 4;
+  const Vector3 u{ a[0] - d[0], a[1] - d[1], a[2] - d[2] };
+  const Vector3 v{ b[0] - d[0], b[1] - d[1], b[2] - d[2] };
+  const Vector3 w{ c[0] - d[0], c[1] - d[1], c[2] - d[2] };
+  const Vector3 vw = cross(v, w);
+  const double determinant = dot(u, vw);
+  const Vector3 toCentre = dot(u, u) * vw + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
+  const double limit = 2 * LargestCircumradius * wanted * determinant;
+  return dot(toCentre, toCentre) > limit * limit;
+}
+
+void setFacets(const Request& request, tetgenio& in)
+{
+  in.numberoffacets = static_cast<int>(request.markers.size());
+  in.facetlist = new tetgenio::facet[request.markers.size()];
+  in.facetmarkerlist = new int[request.markers.size()];
+  for (std::size_t i = 0; i < request.markers.size(); ++i)
+  {
+    tetgenio::facet& facet = in.facetlist[i];
+    tetgenio::init(&facet);
+    facet.numberofpolygons = 1;
+    facet.polygonlist = new tetgenio::polygon[1];
+    tetgenio::polygon& polygon = facet.polygonlist[0];
+    tetgenio::init(&polygon);
+    polygon.numberofvertices = request.offsets[i + 1] - request.offsets[i];
+    polygon.vertexlist = new int[polygon.numberofvertices];
+    std::copy_n(request.corners.begin() + request.offsets[i], polygon.numberofvertices, polygon.vertexlist);
+    in.facetmarkerlist[i] = request.markers[i];
+  }
+}
+
+// With -Y nothing on polygons is split, except where a constraint is given: a bound so large that it
+// never binds sets a polygon free.
+void setFreedom(const Request& request, tetgenio& in)
+{
+  constexpr double noBound = 1e300;
+  in.numberoffacetconstraints = static_cast<int>(request.freeMarkers.size());
+  in.facetconstraintlist = new double[2 * request.freeMarkers.size() + 1];
+  for (std::size_t i = 0; i < request.freeMarkers.size(); ++i)
+  {
+    in.facetconstraintlist[2 * i] = request.freeMarkers[i];
+    in.facetconstraintlist[2 * i + 1] = noBound;
+  }
+  in.numberofsegmentconstraints = static_cast<int>(request.freeSides.size() / 2);
+  in.segmentconstraintlist = new double[3 * request.freeSides.size() / 2 + 1];
+  for (std::size_t i = 0; i + 1 < request.freeSides.size(); i += 2)
+  {
+    double* constraint = in.segmentconstraintlist + 3 * (i / 2);
+    constraint[0] = request.freeSides[i];
+    constraint[1] = request.freeSides[i + 1];
+    constraint[2] = noBound;
+  }
+}
+
+void setInput(const Request& request, tetgenio& in)
+{
+  in.firstnumber = 0;
+  in.numberofpoints = static_cast<int>(request.points.size() / 3);
+  in.pointlist = new double[request.points.size()];
+  std::copy(request.points.begin(), request.points.end(), in.pointlist);
+  setFacets(request, in);
+  if (!request.freeMarkers.empty())
+  {
+    setFreedom(request, in);
+  }
+  if (!request.holes.empty())
+  {
+    in.numberofholes = static_cast<int>(request.holes.size() / 3);
+    in.holelist = new double[request.holes.size()];
+    std::copy(request.holes.begin(), request.holes.end(), in.holelist);
+  }
+  if (!request.pointSources.empty() || request.maximumSize > 0)
+  {
+    sizes = std::make_unique<PointCache>(request);
+    in.tetunsuitable = isTooLarge;
+  }
+}
+
+Result resultOf(const tetgenio& out)
+{
+  Result result;
+  const auto tets = static_cast<std::size_t>(out.numberoftetrahedra);
+  result.points.assign(out.pointlist, out.pointlist + 3 * static_cast<std::size_t>(out.numberofpoints));
+  result.tetrahedra.assign(out.tetrahedronlist, out.tetrahedronlist + 4 * tets);
+  if (out.tetrahedronattributelist && out.numberoftetrahedronattributes > 0)
+  {
+    for (std::size_t i = 0; i < tets; ++i)
+    {
+      result.regions.push_back(
+        static_cast<std::int32_t>(out.tetrahedronattributelist[i * out.numberoftetrahedronattributes]));
+    }
+  }
+  if (out.trifacelist && out.trifacemarkerlist)
+  {
+    const auto faces = static_cast<std::size_t>(out.numberoftrifaces);
+    result.faces.assign(out.trifacelist, out.trifacelist + 3 * faces);
+    result.faceMarkers.assign(out.trifacemarkerlist, out.trifacemarkerlist + faces);
+  }
+  return result;
+}
+} // namespace
+
+Result runTetGen(const Request& request)
+{
+  tetgenio in;
+  tetgenio out;
+  setInput(request, in);
+  std::string switches = request.switches;
+  tetrahedralize(switches.data(), &in, &out);
+  return resultOf(out);
+}
+} // namespace ransmesh::worker

@@ -1,0 +1,50 @@
+// ransmesh-tetgen-worker REQUEST RESULT
+//
+// Runs TetGen once, in a process of its own, for vtkIsotropicTetMesher: TetGen aborts, loops or
+// damages memory on bad input, and nothing of that shall reach the host. Reads the request file, writes
+// the result file; what TetGen prints goes to the standard output, which the filter reads.
+#include "TetGenRun.h"
+
+#include <new>
+
+#ifdef __linux__
+#include <csignal>
+#include <sys/prctl.h>
+#endif
+
+int main(int argc, char** argv)
+{
+  using namespace ransmesh::worker;
+  if (argc != 3)
+  {
+    std::fputs("usage: ransmesh-tetgen-worker REQUEST RESULT\n"
+               "The helper program of vtkIsotropicTetMesher; it is not meant to be run by hand.\n",
+      stderr);
+    return ExitUsage;
+  }
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // a worker must not outlive its host
+#endif
+  std::setvbuf(stdout, nullptr, _IOLBF, 1 << 12);
+  try
+  {
+    Request request;
+    if (!load(request, argv[1]))
+    {
+      std::fprintf(stderr, "cannot read %s\n", argv[1]);
+      return ExitUnreadable;
+    }
+    Result result = runTetGen(request);
+    if (!save(result, argv[2]))
+    {
+      std::fprintf(stderr, "cannot write %s: is the disk full?\n", argv[2]);
+      return ExitUnreadable;
+    }
+    return 0;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fputs("out of memory\n", stderr);
+    return ExitMemory;
+  }
+}

@@ -1,0 +1,154 @@
+#include "WorkerProcess.h"
+
+#include <vtksys/Process.h>
+
+#include <chrono>
+#include <deque>
+#include <memory>
+
+namespace ransmesh
+{
+namespace
+{
+using Clock = std::chrono::steady_clock;
+
+struct DeleteProcess
+{
+  void operator()(vtksysProcess* process) const { vtksysProcess_Delete(process); }
+};
+using ProcessPointer = std::unique_ptr<vtksysProcess, DeleteProcess>;
+
+// Cuts a stream of characters into lines and remembers the last of them.
+class Lines
+{
+public:
+  explicit Lines(const std::function<void(const std::string&)>& onLine)
+    : onLine_(onLine)
+  {
+  }
+
+  void add(const char* data, int length)
+  {
+    for (int i = 0; i < length; ++i)
+    {
+      if (data[i] == '\n' || partial_.size() >= LongestLine)
+      {
+        finish();
+      }
+      else if (data[i] >= ' ' || data[i] == '\t' || static_cast<unsigned char>(data[i]) >= 0x80)
+      {
+        partial_ += data[i];
+      }
+    }
+  }
+
+  void finish()
+  {
+    if (partial_.empty())
+    {
+      return;
+    }
+    last_.push_back(partial_);
+    if (last_.size() > LinesKept)
+    {
+      last_.pop_front();
+    }
+    if (onLine_)
+    {
+      onLine_(partial_);
+    }
+    partial_.clear();
+  }
+
+  std::string last() const
+  {
+    std::string text;
+    for (const std::string& line : last_)
+    {
+      text += (text.empty() ? "" : "\n") + line;
+    }
+    return text;
+  }
+
+private:
+  static constexpr std::size_t LongestLine = 1000;
+  static constexpr std::size_t LinesKept = 6;
+  const std::function<void(const std::string&)>& onLine_;
+  std::string partial_;
+  std::deque<std::string> last_;
+};
+
+ProcessPointer start(const std::vector<std::string>& command)
+{
+  std::vector<const char*> arguments;
+  for (const std::string& word : command)
+  {
+    arguments.push_back(word.c_str());
+  }
+  arguments.push_back(nullptr);
+  ProcessPointer process(vtksysProcess_New());
+  vtksysProcess_SetCommand(process.get(), arguments.data());
+  vtksysProcess_SetOption(process.get(), vtksysProcess_Option_HideWindow, 1);
+  vtksysProcess_Execute(process.get());
+  return process;
+}
+
+ProgramEnd describe(vtksysProcess* process)
+{
+  ProgramEnd end;
+  switch (vtksysProcess_GetState(process))
+  {
+    case vtksysProcess_State_Exited:
+      end.status = vtksysProcess_GetExitValue(process);
+      end.kind = end.status == 0 ? ProgramEnd::Kind::Done : ProgramEnd::Kind::Failed;
+      end.how = "it ended with status " + std::to_string(end.status);
+      break;
+    case vtksysProcess_State_Exception:
+      end.how = std::string("it crashed (") + vtksysProcess_GetExceptionString(process) + ")";
+      break;
+    default:
+      end.how = std::string("it could not be run (") + vtksysProcess_GetErrorString(process) + ")";
+  }
+  return end;
+}
+} // namespace
+
+ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit, const Context& context,
+  const std::function<void(const std::string&)>& onLine)
+{
+  const ProcessPointer process = start(command);
+  const auto began = Clock::now();
+  Lines lines(onLine);
+  auto killed = ProgramEnd::Kind::Done;
+  for (;;)
+  {
+    char* data = nullptr;
+    int length = 0;
+    double wait = 0.1;
+    const int pipe = vtksysProcess_WaitForData(process.get(), &data, &length, &wait);
+    if (pipe == vtksysProcess_Pipe_STDOUT || pipe == vtksysProcess_Pipe_STDERR)
+    {
+      lines.add(data, length);
+    }
+    else if (pipe != vtksysProcess_Pipe_Timeout)
+    {
+      break;
+    }
+    const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
+    killed = context.stopped()               ? ProgramEnd::Kind::Cancelled
+      : timeLimit > 0 && seconds > timeLimit ? ProgramEnd::Kind::TimedOut
+                                             : ProgramEnd::Kind::Done;
+    if (killed != ProgramEnd::Kind::Done)
+    {
+      vtksysProcess_Kill(process.get());
+      break;
+    }
+  }
+  vtksysProcess_WaitForExit(process.get(), nullptr);
+  lines.finish();
+  ProgramEnd end = describe(process.get());
+  end.lastWords = lines.last();
+  end.kind = killed != ProgramEnd::Kind::Done ? killed : end.kind;
+  return end;
+}
+} // namespace ransmesh

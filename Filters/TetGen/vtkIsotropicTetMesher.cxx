@@ -1,0 +1,318 @@
+#include "vtkIsotropicTetMesher.h"
+
+#include "DomainMeshing.h"
+#include "PatchNaming.h"
+#include "ProblemOutput.h"
+#include "SurfaceInput.h"
+#include "WorkerLocation.h"
+
+#include "MeshConversion.h"
+
+#include "Boundary/FeatureSplit.h"
+#include "Boundary/SurfaceCheck.h"
+#include "Boundary/SurfaceSizes.h"
+#include "Support/DataContract.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkIsotropicTetMesher);
+
+struct vtkIsotropicTetMesher::Internals
+{
+  std::vector<ransmesh::SizeBox> Boxes;
+  std::vector<ransmesh::SizeSphere> Spheres;
+  std::vector<std::pair<std::string, std::string>> TypeOfPattern;
+};
+
+//------------------------------------------------------------------------------
+vtkIsotropicTetMesher::vtkIsotropicTetMesher()
+  : Lists(new Internals)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkIsotropicTetMesher::~vtkIsotropicTetMesher()
+{
+  this->SetWorkerExecutable(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
+  os << indent << "MaximumRadiusEdgeRatio: " << this->MaximumRadiusEdgeRatio << "\n";
+  os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
+  os << indent << "FarField: " << this->FarField << "\n";
+  os << indent << "FarFieldMargins:";
+  for (const double margin : this->FarFieldMargins)
+  {
+    os << " " << margin;
+  }
+  os << "\n";
+  os << indent << "PatchFromFeatureAngle: " << this->PatchFromFeatureAngle << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Refinement boxes: " << this->Lists->Boxes.size() << "\n";
+  os << indent << "Refinement spheres: " << this->Lists->Spheres.size() << "\n";
+  os << indent << "Patch types set: " << this->Lists->TypeOfPattern.size() << "\n";
+  os << indent << "WorkerExecutable: " << (this->WorkerExecutable ? this->WorkerExecutable : "") << "\n";
+  os << indent << "WorkerTimeLimit: " << this->WorkerTimeLimit << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::AddRefinementBox(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax, double size)
+{
+  this->Lists->Boxes.push_back({ { xmin, ymin, zmin }, { xmax, ymax, zmax }, size });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::AddRefinementSphere(double cx, double cy, double cz, double radius, double size)
+{
+  this->Lists->Spheres.push_back({ { cx, cy, cz }, radius, size });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearRefinements()
+{
+  this->Lists->Boxes.clear();
+  this->Lists->Spheres.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::SetPatchType(const char* pattern, const char* typeName)
+{
+  if (pattern && typeName)
+  {
+    this->Lists->TypeOfPattern.emplace_back(pattern, typeName);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearPatchTypes()
+{
+  this->Lists->TypeOfPattern.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkIsotropicTetMesher::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkIsotropicTetMesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::OptionsAreValid()
+{
+  const auto within = [this](const char* name, double value, double low, double high)
+  {
+    if (value >= low && value <= high)
+    {
+      return true;
+    }
+    vtkErrorMacro(<< name << " is " << value << "; it must lie between " << low << " and " << high << ".");
+    return false;
+  };
+  bool valid = within("MaximumEdgeLength", this->MaximumEdgeLength, 0, 1e50) &&
+    within("SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3) &&
+    within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
+    within("MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18) &&
+    within("FeatureAngle", this->FeatureAngle, 0, 180) &&
+    within("WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9);
+  for (int i = 0; valid && this->FarField && i < 6; ++i)
+  {
+    valid = within("FarFieldMargins", this->FarFieldMargins[i], 1e-3, 1e4);
+  }
+  constexpr double smallest = 1e-50;
+  for (std::size_t i = 0; valid && i < this->Lists->Boxes.size(); ++i)
+  {
+    valid = within("The size of a refinement box", this->Lists->Boxes[i].size, smallest, 1e50);
+  }
+  for (std::size_t i = 0; valid && i < this->Lists->Spheres.size(); ++i)
+  {
+    valid = within("The size of a refinement sphere", this->Lists->Spheres[i].size, smallest, 1e50);
+  }
+  return valid;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::MustStop()
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  return this->CheckAbort();
+#else
+  return this->GetAbortExecute() != 0;
+#endif
+}
+
+namespace
+{
+// The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
+void makeBodiesWalls(ransmesh::PatchTable& patches)
+{
+  for (std::size_t i = 1; i < patches.size(); ++i)
+  {
+    if (patches[i].type == ransmesh::PatchType::Patch)
+    {
+      patches[i].type = ransmesh::PatchType::Wall;
+    }
+  }
+}
+
+void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(ransmesh::contract::MesherSwitches);
+  array->InsertNextValue(switches);
+  grid->GetFieldData()->AddArray(array);
+}
+
+std::vector<vtkDataObject*> inputsOf(vtkInformationVector* inputs)
+{
+  std::vector<vtkDataObject*> all;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    all.push_back(vtkDataObject::GetData(inputs, i));
+  }
+  return all;
+}
+} // namespace
+
+//------------------------------------------------------------------------------
+int vtkIsotropicTetMesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  auto* problemOutput = vtkPolyData::GetData(outputVector, 1);
+  ransmesh::writeProblems({}, {}, problemOutput);
+  if (!this->OptionsAreValid())
+  {
+    return 0;
+  }
+  std::string tried;
+  const std::string program =
+    ransmesh::findWorker(this->WorkerExecutable ? this->WorkerExecutable : "", tried);
+  if (program.empty())
+  {
+    vtkErrorMacro("The program that runs TetGen was not found (tried: "
+      << tried << "). Set WorkerExecutable or the environment variable RANSMESH_WORKER.");
+    return 0;
+  }
+
+  ransmesh::Context context;
+  double reached = 0;
+  context.progress = [this, &reached](double fraction, const char* phase)
+  {
+    reached = std::max(reached, fraction);
+    this->SetProgressText(phase);
+    this->UpdateProgress(reached);
+  };
+  context.cancelled = [this, &reached]
+  {
+    this->UpdateProgress(reached); // lets the user's interface act
+    return this->MustStop();
+  };
+
+  ransmesh::SurfaceInput input;
+  ransmesh::Outcome outcome = ransmesh::readSurface(inputsOf(inputVector[0]), input);
+  if (!outcome.ok())
+  {
+    vtkErrorMacro(<< outcome.message << ".");
+    return 0;
+  }
+  const ransmesh::SurfaceVerdict verdict = ransmesh::mendAndCheck(input.surface, input.patches);
+  for (const std::string& repair : verdict.repairs)
+  {
+    vtkWarningMacro("Mended: " << repair << ".");
+  }
+  if (!verdict.outcome.ok())
+  {
+    vtkErrorMacro(<< "Cannot mesh: " << verdict.outcome.message << ".");
+    ransmesh::writeProblems(input.surface, verdict.findings, problemOutput);
+    return verdict.findings.empty() ? 0 : 1;
+  }
+  if (this->PatchFromFeatureAngle)
+  {
+    for (const int patch : input.wholePieces)
+    {
+      ransmesh::splitByAngle(input.surface, input.patches, patch, this->FeatureAngle);
+    }
+  }
+
+  ransmesh::MeshingOptions options;
+  options.limits.maximum = this->MaximumEdgeLength;
+  options.limits.slope = this->SurfaceGrowthRate - 1;
+  options.limits.boxes = this->Lists->Boxes;
+  options.limits.spheres = this->Lists->Spheres;
+  options.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
+  options.minimumDihedral = this->MinimumDihedralAngle;
+  ransmesh::halveLongEdges(
+    input.surface, [&options](const ransmesh::Vector3& x) { return options.limits.at(x); });
+
+  std::optional<ransmesh::FarFieldBox> box;
+  if (this->FarField)
+  {
+    makeBodiesWalls(input.patches);
+    std::array<double, 6> margins;
+    std::copy_n(this->FarFieldMargins, 6, margins.begin());
+    box = ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), margins, input.patches);
+  }
+  outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
+  if (!outcome.ok())
+  {
+    vtkErrorMacro(<< outcome.message << ".");
+    return 0;
+  }
+
+  ransmesh::MeshingResult result;
+  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+  outcome = ransmesh::meshDomain(input.surface, box, input.patches, options, worker, context, result);
+  if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
+  {
+    return 0;
+  }
+  if (!outcome.ok())
+  {
+    vtkErrorMacro(<< "Cannot mesh: " << outcome.message);
+    ransmesh::writeProblems(result.problemSurface, result.problems, problemOutput);
+    return result.problems.empty() ? 0 : 1;
+  }
+  for (const std::string& remark : result.remarks)
+  {
+    vtkWarningMacro(<< remark);
+  }
+  ransmesh::writeMesh(result.mesh, input.patches, output);
+  writeSwitches(result.switches, output);
+  return 1;
+}

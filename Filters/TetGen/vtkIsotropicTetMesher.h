@@ -1,0 +1,175 @@
+/**
+ * @class   vtkIsotropicTetMesher
+ * @brief   fills closed triangulated surfaces with isotropic tetrahedra
+ *
+ * First stage of the chain to a RANS mesh: meshes the domain that the input surfaces bound, or, with
+ * FarField, the space between the input bodies and a box around them. The insides of bodies are found and
+ * left empty. Surface triangles are kept, except that edges longer than the wanted size are halved; sizes
+ * in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
+ * happens there becomes an error of this filter.
+ *
+ * Input (repeatable): vtkPolyData, or composite data of them; closed together; each triangle with a patch
+ * (cell array PatchId, arrays of other tools, else one patch a block).
+ * Output 0: the mesh by the data contract of the project: tetrahedra, then boundary triangles sorted by
+ * patch and turned outward, with PatchId, PatchNames, PatchTypes; field data MesherSwitches.
+ * Output 1: the triangles that are wrong with the surface, with Reason, PartnerId, PatchId. If these are
+ * known, the filter reports the error and ends with an empty mesh, so that they can be shown.
+ */
+#ifndef vtkIsotropicTetMesher_h
+#define vtkIsotropicTetMesher_h
+
+#include "RANSMeshingTetGenModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <memory>
+
+class vtkPolyData;
+
+class RANSMESHINGTETGEN_EXPORT vtkIsotropicTetMesher : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkIsotropicTetMesher* New();
+  vtkTypeMacro(vtkIsotropicTetMesher, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The largest edge that is wanted anywhere, in the unit of the surface. Surface edges longer than 1.5
+   * times this are halved. Default 0: no limit but the growth away from the surface.
+   */
+  vtkSetMacro(MaximumEdgeLength, double);
+  vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Ratio of the sizes of successive tetrahedra away from the surface, 1.01 to 3. Default 1.3.
+   */
+  vtkSetMacro(SurfaceGrowthRate, double);
+  vtkGetMacro(SurfaceGrowthRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * The largest ratio of circumradius to shortest edge that is wanted of a tetrahedron, 1.1 to 10; less is
+   * better and costs more points. Default 1.4. Where the given surface does not allow it, it is exceeded.
+   */
+  vtkSetMacro(MaximumRadiusEdgeRatio, double);
+  vtkGetMacro(MaximumRadiusEdgeRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * The smallest dihedral angle that is wanted of a tetrahedron, in degrees, 0 to 18. Default 10. Where the
+   * given surface does not allow it, it is undercut.
+   */
+  vtkSetMacro(MinimumDihedralAngle, double);
+  vtkGetMacro(MinimumDihedralAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the surfaces are bodies in a box that is added around them. Bodies whose names suggest no type
+   * become walls. Default off: the surfaces bound the domain.
+   */
+  vtkSetMacro(FarField, bool);
+  vtkGetMacro(FarField, bool);
+  vtkBooleanMacro(FarField, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Distances from the bodies to the box's sides xmin, xmax, ymin, ymax, zmin, zmax, each > 0, in body
+   * lengths (the largest extent of all bodies along an axis). Default 5 each. The sides become the patches
+   * farfield_xmin ... farfield_zmax.
+   */
+  vtkSetVector6Macro(FarFieldMargins, double);
+  vtkGetVector6Macro(FarFieldMargins, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an input (or block) without any patch numbers is split into patches where its surface turns by
+   * more than FeatureAngle. Default off.
+   */
+  vtkSetMacro(PatchFromFeatureAngle, bool);
+  vtkGetMacro(PatchFromFeatureAngle, bool);
+  vtkBooleanMacro(PatchFromFeatureAngle, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle in degrees, 0 to 180, for PatchFromFeatureAngle. Default 30.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  /**
+   * Asks for edges of at most `size` in a box; around it sizes grow by SurfaceGrowthRate.
+   */
+  void AddRefinementBox(
+    double xmin, double xmax, double ymin, double ymax, double zmin, double zmax, double size);
+  /**
+   * Asks for edges of at most `size` in a sphere; around it sizes grow by SurfaceGrowthRate.
+   */
+  void AddRefinementSphere(double cx, double cy, double cz, double radius, double size);
+  void ClearRefinements();
+
+  /**
+   * Sets the type of the patches that a pattern takes (a name, a name with the wildcards * and ?, or a
+   * number): wall, symmetry, farfield, inlet, outlet, wake, interface or patch. Later calls win.
+   */
+  void SetPatchType(const char* pattern, const char* typeName);
+  void ClearPatchTypes();
+
+  ///@{
+  /**
+   * The worker program that runs TetGen. Default: empty, which takes the environment variable
+   * RANSMESH_WORKER, or else the program installed or built with this library.
+   */
+  vtkSetFilePathMacro(WorkerExecutable);
+  vtkGetFilePathMacro(WorkerExecutable);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds after which a run of TetGen is stopped and counts as failed; up to eight runs may follow each
+   * other. Default 0: no limit.
+   */
+  vtkSetMacro(WorkerTimeLimit, double);
+  vtkGetMacro(WorkerTimeLimit, double);
+  ///@}
+
+protected:
+  vtkIsotropicTetMesher();
+  ~vtkIsotropicTetMesher() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+  double MaximumEdgeLength = 0;
+  double SurfaceGrowthRate = 1.3;
+  double MaximumRadiusEdgeRatio = 1.4;
+  double MinimumDihedralAngle = 10;
+  bool FarField = false;
+  double FarFieldMargins[6] = { 5, 5, 5, 5, 5, 5 };
+  bool PatchFromFeatureAngle = false;
+  double FeatureAngle = 30;
+  char* WorkerExecutable = nullptr;
+  double WorkerTimeLimit = 0;
+
+private:
+  vtkIsotropicTetMesher(const vtkIsotropicTetMesher&) = delete;
+  void operator=(const vtkIsotropicTetMesher&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Lists;
+
+  bool OptionsAreValid();
+  bool MustStop();
+};
+
+#endif
