@@ -2,13 +2,21 @@
 
 #include "Layers/LayerPlanning.h"
 #include "MeshConversion.h"
+#include "WallSelection.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 struct vtkRANSLayerAlgorithm::Internals
 {
   std::vector<std::string> WallPatterns;
   std::vector<ransmesh::PatchLayers> PatchLayers;
+  ransmesh::WallSelection Walls;
 };
 
 vtkRANSLayerAlgorithm::vtkRANSLayerAlgorithm()
@@ -59,6 +67,16 @@ void vtkRANSLayerAlgorithm::ClearPatchLayers()
   this->Modified();
 }
 
+vtkDataArraySelection* vtkRANSLayerAlgorithm::GetWallPatchSelection()
+{
+  return this->Rules->Walls.selection();
+}
+
+vtkMTimeType vtkRANSLayerAlgorithm::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Rules->Walls.selection()->GetMTime());
+}
+
 bool vtkRANSLayerAlgorithm::UsesRecordedPlan() const
 {
   return this->FirstHeight == 0 && this->Rules->WallPatterns.empty() && this->Rules->PatchLayers.empty();
@@ -83,29 +101,26 @@ void vtkRANSLayerAlgorithm::OverrideRecorded(ransmesh::LayerSpecification& s) co
   }
 }
 
-ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& mesh,
-  const std::vector<ransmesh::Patch>& patches, vtkFieldData* recorded,
-  std::vector<ransmesh::LayerSpecification>& plan) const
+ransmesh::Outcome vtkRANSLayerAlgorithm::AdaptRecorded(
+  const ransmesh::PatchTable& patches, ransmesh::LayerPlan& plan) const
 {
-  if (this->UsesRecordedPlan())
+  this->Rules->Walls.applyTo(patches, plan);
+  for (std::size_t i = 1; i < plan.size(); ++i)
   {
-    plan = ransmesh::readPlan(recorded);
-    if (plan.size() == patches.size())
+    if (plan[i].hasLayers())
     {
-      for (std::size_t i = 1; i < plan.size(); ++i)
+      this->OverrideRecorded(plan[i]);
+      if (auto outcome = ransmesh::checkSpecification(plan[i], patches[i].name.c_str()); !outcome.ok())
       {
-        if (plan[i].hasLayers())
-        {
-          this->OverrideRecorded(plan[i]);
-          if (auto outcome = ransmesh::checkSpecification(plan[i], patches[i].name.c_str()); !outcome.ok())
-          {
-            return outcome;
-          }
-        }
+        return outcome;
       }
-      return ransmesh::Outcome::done();
     }
   }
+  return ransmesh::Outcome::done();
+}
+
+ransmesh::LayerRequest vtkRANSLayerAlgorithm::MakeRequest() const
+{
   ransmesh::LayerRequest request;
   request.general.firstHeight = this->FirstHeight;
   request.general.growthRate = this->GrowthRate;
@@ -115,7 +130,35 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& me
   request.totalThickness = this->TotalThickness;
   request.wallPatterns = this->Rules->WallPatterns;
   request.patchLayers = this->Rules->PatchLayers;
-  return ransmesh::planLayers(mesh, patches, request, plan);
+  request.choices = this->Rules->Walls.choices();
+  return request;
+}
+
+int vtkRANSLayerAlgorithm::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (auto* grid = vtkUnstructuredGrid::GetData(inputVector[0]))
+  {
+    ransmesh::LayerRequest rules = this->MakeRequest();
+    rules.choices.clear();
+    this->Rules->Walls.offer(grid, rules, this->UsesRecordedPlan());
+  }
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
+ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& mesh,
+  const std::vector<ransmesh::Patch>& patches, vtkFieldData* recorded,
+  std::vector<ransmesh::LayerSpecification>& plan) const
+{
+  if (this->UsesRecordedPlan())
+  {
+    plan = ransmesh::readPlan(recorded);
+    if (plan.size() == patches.size())
+    {
+      return this->AdaptRecorded(patches, plan);
+    }
+  }
+  return ransmesh::planLayers(mesh, patches, this->MakeRequest(), plan);
 }
 
 int vtkRANSLayerAlgorithm::Refuse(const ransmesh::Outcome& outcome)

@@ -17,6 +17,7 @@
 #include <memory>
 #include <vector>
 
+class vtkDataArraySelection;
 class vtkFieldData;
 
 namespace ransmesh
@@ -24,6 +25,7 @@ namespace ransmesh
 struct Context;
 struct MeshData;
 struct Outcome;
+struct LayerRequest;
 struct LayerSpecification;
 struct Patch;
 } // namespace ransmesh
@@ -131,6 +133,15 @@ public:
 
   ///@{
   /**
+   * The patches of the input, each chosen as a wall or not, for interfaces where they are ticked by name.
+   * Filled in by UpdateInformation once the input is there, with the walls as they follow from the rules
+   * above; what is changed then overrules them, patch by patch.
+   */
+  vtkDataArraySelection* GetWallPatchSelection();
+
+  vtkMTimeType GetMTime() override;
+
+  /**
    * Layers of their own for the patches that a pattern takes; these are walls then. Later calls win.
    */
   void SetPatchLayers(const char* pattern, double firstHeight, double growthRate, int numberOfLayers);
@@ -140,6 +151,9 @@ public:
 protected:
   vtkRANSLayerAlgorithm();
   ~vtkRANSLayerAlgorithm() override;
+
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   /**
    * The specification of each patch, from the options or from the input's field data.
@@ -169,6 +183,9 @@ private:
   void operator=(const vtkRANSLayerAlgorithm&) = delete;
 
   bool UsesRecordedPlan() const;
+  ransmesh::LayerRequest MakeRequest() const;
+  ransmesh::Outcome AdaptRecorded(
+    const std::vector<ransmesh::Patch>& patches, std::vector<ransmesh::LayerSpecification>& plan) const;
   void OverrideRecorded(ransmesh::LayerSpecification& specification) const;
 
   struct Internals;

@@ -77,52 +77,6 @@ std::vector<int> wallsByType(const MeshData& mesh, const PatchTable& patches)
   return walls;
 }
 
-Outcome findWalls(
-  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall)
-{
-  isWall.assign(patches.size(), 0);
-  const auto take = [&](const std::string& pattern)
-  {
-    const std::vector<int> taken = patchesOf(patches, pattern);
-    for (const int i : taken)
-    {
-      isWall[i] = 1;
-    }
-    return taken.empty() ? Outcome::badInput("no patch is taken by the wall pattern \"" + pattern +
-                             "\"; the patches are: " + listOfNames(patches))
-                         : Outcome::done();
-  };
-  for (const std::string& pattern : request.wallPatterns)
-  {
-    if (Outcome outcome = take(pattern); !outcome.ok())
-    {
-      return outcome;
-    }
-  }
-  for (const PatchLayers& rule : request.patchLayers)
-  {
-    if (Outcome outcome = take(rule.pattern); !outcome.ok())
-    {
-      return outcome;
-    }
-  }
-  if (request.wallPatterns.empty() && request.patchLayers.empty())
-  {
-    for (const int i : wallsByType(mesh, patches))
-    {
-      isWall[i] = 1;
-    }
-  }
-  if (std::none_of(isWall.begin(), isWall.end(), [](char w) { return w != 0; }))
-  {
-    return Outcome::badInput(
-      "no patch is a viscous wall: name the walls with AddWallPatch, or give patches the type "
-      "wall; the patches are: " +
-      listOfNames(patches));
-  }
-  return Outcome::done();
-}
-
 LayerSpecification specificationFor(int patch, const PatchTable& patches, const LayerRequest& request)
 {
   LayerSpecification s = request.general;
@@ -215,6 +169,59 @@ std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount)
     isSide[i] = std::any_of(inSide[i].begin(), inSide[i].end(), [](char all) { return all != 0; });
   }
   return isSide;
+}
+
+Outcome findWalls(
+  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall)
+{
+  isWall.assign(patches.size(), 0);
+  const auto take = [&](const std::string& pattern)
+  {
+    const std::vector<int> taken = patchesOf(patches, pattern);
+    for (const int i : taken)
+    {
+      isWall[i] = 1;
+    }
+    return taken.empty() ? Outcome::badInput("no patch is taken by the wall pattern \"" + pattern +
+                             "\"; the patches are: " + listOfNames(patches))
+                         : Outcome::done();
+  };
+  for (const std::string& pattern : request.wallPatterns)
+  {
+    if (Outcome outcome = take(pattern); !outcome.ok())
+    {
+      return outcome;
+    }
+  }
+  for (const PatchLayers& rule : request.patchLayers)
+  {
+    if (Outcome outcome = take(rule.pattern); !outcome.ok())
+    {
+      return outcome;
+    }
+  }
+  if (request.wallPatterns.empty() && request.patchLayers.empty())
+  {
+    for (const int i : wallsByType(mesh, patches))
+    {
+      isWall[i] = 1;
+    }
+  }
+  for (const auto& [name, chosen] : request.choices)
+  {
+    for (std::size_t i = 1; i < patches.size(); ++i)
+    {
+      isWall[i] = patches[i].name == name ? static_cast<char>(chosen) : isWall[i];
+    }
+  }
+  if (std::none_of(isWall.begin(), isWall.end(), [](char w) { return w != 0; }))
+  {
+    return Outcome::badInput(
+      "no patch is a viscous wall: name the walls with AddWallPatch, or give patches the type "
+      "wall; the patches are: " +
+      listOfNames(patches));
+  }
+  return Outcome::done();
 }
 
 Outcome planLayers(

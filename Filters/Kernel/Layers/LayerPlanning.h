@@ -6,6 +6,7 @@
 #include "Mesh/MeshData.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ransmesh
@@ -24,6 +25,8 @@ struct LayerRequest
   double totalThickness = 0;             // > 0: the number of layers follows from it
   std::vector<std::string> wallPatterns; // empty: the walls are found by type
   std::vector<PatchLayers> patchLayers;  // later ones win; a patch named here is a wall
+  // Patch by patch, after all the rest: is it a wall? Names that the mesh does not have mean nothing.
+  std::vector<std::pair<std::string, bool>> choices;
 };
 
 // Does name match the pattern (* any run, ? any one character)?
@@ -36,6 +39,11 @@ std::vector<int> patchesOf(const PatchTable& patches, const std::string& pattern
 
 // Whether all triangles of the patch lie in one side of the mesh's bounding box; by patch number.
 std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount);
+
+// Which patches are walls, by number: see planLayers, whose errors it gives. With the error that no patch
+// is a wall, isWall is complete nevertheless.
+Outcome findWalls(
+  const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall);
 
 // The plan: walls are the patches named; if none is named, all of type wall; if no types are known
 // (all are `patch`), every patch that is not a side of the bounding box.

@@ -1,0 +1,107 @@
+#include "Chain.h"
+
+#include <vtkDirectionalEnrichment.h>
+#include <vtkIsotropicTetMesher.h>
+#include <vtkMeshQualityReport.h>
+#include <vtkPolyData.h>
+#include <vtkRANSPointRemoval.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <chrono>
+
+namespace commandline
+{
+Chain::Chain(const Options& options, vtkPolyData* surface)
+  : options_(options)
+{
+  progress_->setQuiet(options.quiet);
+  mesher_->SetInputData(surface);
+  mesher_->SetMaximumEdgeLength(options.size);
+  if (options.farField > 0)
+  {
+    const double margin = options.farField;
+    mesher_->FarFieldOn();
+    mesher_->SetFarFieldMargins(margin, margin, margin, margin, margin, margin);
+  }
+  removal_->SetInputConnection(mesher_->GetOutputPort());
+  describeLayers(removal_.Get());
+  // The enrichment takes the layers that the removal made room for: they travel with the mesh.
+  enrichment_->SetInputConnection(removal_->GetOutputPort());
+  if (options.isotropicOnly)
+  {
+    report_->SetInputConnection(mesher_->GetOutputPort());
+    return;
+  }
+  report_->SetInputConnection(0, enrichment_->GetOutputPort(0));
+  report_->SetInputConnection(1, enrichment_->GetOutputPort(1)); // why columns stopped
+}
+
+Chain::~Chain() = default;
+
+template <typename Filter>
+void Chain::describeLayers(Filter* filter) const
+{
+  filter->SetFirstHeight(options_.firstHeight);
+  if (options_.growth > 0)
+  {
+    filter->SetGrowthRate(options_.growth);
+  }
+  if (options_.layers > 0)
+  {
+    filter->SetNumberOfLayers(options_.layers);
+  }
+  if (options_.thickness > 0)
+  {
+    filter->SetTotalThickness(options_.thickness);
+  }
+  for (const std::string& pattern : options_.walls)
+  {
+    filter->AddWallPatch(pattern.c_str());
+  }
+}
+
+void Chain::runStage(const std::string& name, vtkAlgorithm* filter)
+{
+  messages_->watch(filter);
+  progress_->watch(filter, name);
+  const auto start = std::chrono::steady_clock::now();
+  filter->Update();
+  progress_->clear();
+  if (!messages_->errors().empty())
+  {
+    throw MeshingError(name + ": " + messages_->errors().front());
+  }
+  times_.push_back({ name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() });
+}
+
+void Chain::run()
+{
+  runStage("isotropic mesh", mesher_);
+  if (!options_.isotropicOnly)
+  {
+    runStage("removal of points", removal_);
+    runStage("enrichment", enrichment_);
+  }
+  runStage("quality report", report_);
+  if (!report_->GetValid())
+  {
+    throw MeshingError(
+      "the mesh that came out is not valid; this is a fault of the program, not of the surface");
+  }
+}
+
+vtkUnstructuredGrid* Chain::mesh() const
+{
+  return vtkUnstructuredGrid::SafeDownCast(report_->GetOutputDataObject(0));
+}
+
+vtkMeshQualityReport* Chain::report() const
+{
+  return report_;
+}
+
+vtkPolyData* Chain::problems() const
+{
+  return vtkPolyData::SafeDownCast(mesher_->GetOutputDataObject(1));
+}
+} // namespace commandline

@@ -1,0 +1,66 @@
+// The filters in a row, run one after the other so that each one's failure is told from the next one's.
+#pragma once
+
+#include "Messages.h"
+#include "Options.h"
+#include "Progress.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+class vtkDirectionalEnrichment;
+class vtkIsotropicTetMesher;
+class vtkMeshQualityReport;
+class vtkPolyData;
+class vtkRANSPointRemoval;
+class vtkUnstructuredGrid;
+
+namespace commandline
+{
+// The input cannot be meshed: what() says why and where, in one line.
+struct MeshingError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+struct StageTime
+{
+  std::string name;
+  double seconds;
+};
+
+class Chain
+{
+public:
+  Chain(const Options& options, vtkPolyData* surface);
+  ~Chain();
+
+  // Throws MeshingError.
+  void run();
+
+  vtkUnstructuredGrid* mesh() const;
+  vtkMeshQualityReport* report() const;
+  // The triangles that are wrong with the surface; may be empty.
+  vtkPolyData* problems() const;
+  const std::vector<StageTime>& times() const { return times_; }
+  const std::vector<std::string>& warnings() const { return messages_->warnings(); }
+
+private:
+  template <typename Filter>
+  void describeLayers(Filter* filter) const;
+  void runStage(const std::string& name, vtkAlgorithm* filter);
+
+  const Options& options_;
+  vtkNew<vtkIsotropicTetMesher> mesher_;
+  vtkNew<vtkRANSPointRemoval> removal_;
+  vtkNew<vtkDirectionalEnrichment> enrichment_;
+  vtkNew<vtkMeshQualityReport> report_;
+  vtkNew<Messages> messages_;
+  vtkNew<Progress> progress_;
+  std::vector<StageTime> times_;
+};
+} // namespace commandline

@@ -1,0 +1,100 @@
+#include "MeshFile.h"
+
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <unistd.h>
+
+namespace commandline
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string temporaryNameFor(const std::string& path)
+{
+  const fs::path target(path);
+  return (target.parent_path() / ("." + target.filename().string() + "." + std::to_string(getpid())))
+    .string();
+}
+
+void writeThenRename(const std::string& path, const std::function<bool(const std::string&)>& write)
+{
+  const std::string temporary = temporaryNameFor(path);
+  std::error_code error;
+  if (write(temporary))
+  {
+    fs::rename(temporary, path, error);
+    if (!error)
+    {
+      return;
+    }
+  }
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw std::runtime_error(
+    path + ": could not be written" + (error ? ": " + error.message() : ": is the disk full?"));
+}
+
+template <typename Writer>
+bool writeXml(vtkDataObject* data, const std::string& path)
+{
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(path.c_str());
+  writer->SetDataModeToBinary(); // some ParaViews cannot read the default, appended
+  writer->SetHeaderTypeToUInt64();
+  return writer->Write() == 1 && writer->GetErrorCode() == 0;
+}
+} // namespace
+
+void checkWritable(const std::string& path)
+{
+  if (fs::is_directory(path))
+  {
+    throw std::runtime_error(path + ": is a folder");
+  }
+  const std::string temporary = temporaryNameFor(path);
+  const bool works = std::ofstream(temporary).good();
+  const int reason = errno;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  if (!works)
+  {
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(reason));
+  }
+}
+
+void writeMesh(vtkUnstructuredGrid* mesh, const std::string& path)
+{
+  writeThenRename(
+    path, [mesh](const std::string& name) { return writeXml<vtkXMLUnstructuredGridWriter>(mesh, name); });
+}
+
+void writeSurface(vtkPolyData* surface, const std::string& path)
+{
+  writeThenRename(
+    path, [surface](const std::string& name) { return writeXml<vtkXMLPolyDataWriter>(surface, name); });
+}
+
+void writeText(const std::string& text, const std::string& path)
+{
+  writeThenRename(path,
+    [&text](const std::string& name)
+    {
+      std::ofstream file(name);
+      file << text;
+      file.close();
+      return file.good();
+    });
+}
+} // namespace commandline
