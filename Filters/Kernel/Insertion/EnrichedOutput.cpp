@@ -94,7 +94,7 @@ void sortTrianglesByPatch(MeshData& data)
   data.trianglePatch.swap(patch);
 }
 
-void appendStacks(StackOutput& stacks, EnrichedMesh& result)
+void appendStacks(const StackOutput& stacks, EnrichedMesh& result)
 {
   MeshData& data = result.mesh;
   result.layer.assign(data.tetrahedra.size(), 0);
@@ -133,8 +133,7 @@ void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMe
 }
 } // namespace
 
-std::vector<Index> writeEnriched(
-  const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces, EnrichedMesh& result)
+void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& result)
 {
   std::vector<Index> baseNumber;
   result.mesh = toMeshData(mesh, &baseNumber);
@@ -150,15 +149,12 @@ std::vector<Index> writeEnriched(
   }
   const ColumnPoints numbers(set, baseNumber, oldPoints);
   addColumnPoints(mesh, set, baseNumber, result);
-  StackOutput stacks = writeStacks(set, faces, numbers, baseNumber, result.mesh.points);
-  if (!stacks.folded.empty())
-  {
-    return stacks.folded;
-  }
+  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  findSides(mesh, set, faces);
+  const StackOutput stacks = writeStacks(set, faces, numbers, baseNumber);
   separateWallFromFront(mesh, set, numbers, baseNumber, result.mesh);
   appendStacks(stacks, result);
   reportColumns(set, numbers, result);
   result.report.layerTets = stacks.tetrahedra.size();
-  return {};
 }
 } // namespace ransmesh

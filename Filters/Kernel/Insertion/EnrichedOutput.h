@@ -6,9 +6,7 @@
 
 namespace ransmesh
 {
-// mesh: what lies beyond the raised front; faces: its base faces, sides found. Fills everything in result
-// but the report's raising part. Gives the base faces whose stacks have a tetrahedron that is not
-// positive; if there are any, result is no mesh.
-std::vector<Index> writeEnriched(
-  const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces, EnrichedMesh& result);
+// mesh: what lies beyond the raised front, where no stack folds. Fills everything in result but the
+// report's counts of the stages before.
+void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& result);
 } // namespace ransmesh

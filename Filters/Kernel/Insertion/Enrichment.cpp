@@ -1,6 +1,7 @@
 #include "Insertion/Enrichment.h"
 
 #include "Insertion/EnrichedOutput.h"
+#include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
 #include "Layers/ColumnLimits.h"
 #include "Mesh/Builder.h"
@@ -30,6 +31,7 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
     c.limit(caps[c.vertex], StopReason::Refused);
   }
   settleDisagreements(mesh, set);
+  limitByFolds(mesh, set);
   return set;
 }
 
@@ -43,17 +45,17 @@ std::size_t countPoints(const ColumnSet& set)
   return count;
 }
 
-// Halves the columns of the stacks that fold, for the next attempt.
+// Halves the columns at the folded faces for the next attempt.
 void lowerFolded(
-  const ColumnSet& set, const std::vector<BaseFace>& faces, const std::vector<Index>& folded, LevelCaps& caps)
+  const TetMesh& mesh, const ColumnSet& set, const std::vector<Index>& foldedFaces, LevelCaps& caps)
 {
-  for (const Index face : folded)
+  for (const Index face : foldedFaces)
   {
-    for (const Index c : faces[face].column)
+    for (const Index v : mesh.boundaryVertices(face))
     {
-      if (c != None)
+      if (const Index c = set.standingAt(v); c != None)
       {
-        caps[set.columns[c].vertex] = set.columns[c].levels / 2;
+        caps[v] = set.columns[c].levels / 2;
       }
     }
   }
@@ -89,16 +91,15 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
       return Outcome::cancelled();
     }
     context.report(0.7, "writing the layers");
-    std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
-    findSides(mesh, set, faces);
-    const std::vector<Index> folded = writeEnriched(mesh, set, faces, enriched);
-    if (folded.empty())
+    std::vector<Index> folded;
+    if (mendFolds(mesh, set, folded))
     {
+      writeEnriched(mesh, set, enriched);
       result = std::move(enriched);
       return Outcome::done();
     }
     context.remark(std::to_string(folded.size()) + " stacks of layers fold; their columns are lowered");
-    lowerFolded(set, faces, folded, caps);
+    lowerFolded(mesh, set, folded, caps);
   }
   return Outcome::internalFault("the layers still fold after " + std::to_string(MostRestarts) +
     " attempts; nothing was written. Ask for a smaller total thickness");

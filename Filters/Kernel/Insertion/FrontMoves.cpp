@@ -12,6 +12,9 @@ namespace
 // A move that makes nothing much worse needs no new connectivity.
 constexpr double QualityKept = 0.9;
 constexpr double FlattestKept = 0.01;
+// Where a top's surroundings were poor from the beginning, this share of their quality is enough: needles
+// on the wall make needles in the volume.
+constexpr double ShareOfPoor = 0.3;
 } // namespace
 
 FrontMoves::FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification& classes, Front& front)
@@ -21,6 +24,7 @@ FrontMoves::FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification
   , front_(front)
   , star_(mesh)
   , traversal_(mesh)
+  , firstQuality_(set.columns.size(), -1)
 {
 }
 
@@ -36,6 +40,13 @@ double FrontMoves::worstQuality(const std::vector<Index>& tets) const
   return worst;
 }
 
+double FrontMoves::floorFor(Index column, double leastQuality, double before)
+{
+  double& first = firstQuality_[column];
+  first = first < 0 ? before : first;
+  return std::min(leastQuality, ShareOfPoor * first);
+}
+
 MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& effort)
 {
   if (!front_.slabAllows(column, x))
@@ -48,15 +59,17 @@ MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& e
   const Vector3 old = mesh_.point(c.vertex);
   mesh_.movePoint(c.vertex, x);
   const double after = worstQuality(ball_);
-  if (after > GoodQuality || (after >= QualityKept * before && after > FlattestKept))
+  if (after > GoodQuality ||
+    (after >= QualityKept * before && after > floorFor(column, FlattestKept, before)))
   {
     return MoveVerdict::Moved;
   }
-  if (restar(c, std::max(after, effort.leastQuality), effort.cavityGrowth))
+  const double least = floorFor(column, effort.leastQuality, before);
+  if (restar(c, std::max(after, least), effort.cavityGrowth))
   {
     return MoveVerdict::Restarred;
   }
-  if (after > effort.leastQuality)
+  if (after > least)
   {
     return MoveVerdict::Moved;
   }

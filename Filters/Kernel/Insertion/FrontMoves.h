@@ -37,6 +37,7 @@ public:
 
 private:
   double worstQuality(const std::vector<Index>& tets) const;
+  double floorFor(Index column, double leastQuality, double before);
   bool restar(const Column& column, double wanted, std::size_t growth);
   bool buildCavity(const Column& column, Index apex, double wanted, std::size_t growth, double& worst);
   bool mayLose(const Column& column, Index apex) const;
@@ -50,6 +51,7 @@ private:
   Star star_;
   Traversal traversal_;
   Marks inCavity_;
+  std::vector<double> firstQuality_; // around each top before its first single move; < 0: not known yet
   std::vector<Index> ball_;
   Cavity cavity_;
 };

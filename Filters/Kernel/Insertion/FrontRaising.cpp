@@ -1,6 +1,7 @@
 #include "Insertion/FrontRaising.h"
 
 #include "Geometry/TetrahedronMeasures.h"
+#include "Insertion/StackFolds.h"
 #include "Layers/ColumnLimits.h"
 
 #include <algorithm>
@@ -14,7 +15,9 @@ namespace
 constexpr double StepOfSize = 0.3;
 // Sweeps after the last planned one, with growing effort.
 constexpr int ExtraSweeps = 12;
-constexpr int HalvingsOfStep = 4;
+constexpr int FailuresPerSweep = 4;
+// No step is tried that is shorter than this share of the first height.
+constexpr double ShortestOfFirstHeight = 0.5;
 // A step that is all but complete is completed, so that coordinates are exactly the level's.
 constexpr double Complete = 0.99999;
 
@@ -31,6 +34,7 @@ public:
     , moves_(mesh, set, classes, front_)
     , steps_(set.columns.size(), 0)
     , refusals_(set.columns.size(), 0)
+    , nextStep_(set.columns.size(), 1)
   {
     for (std::size_t c = 0; c < set.columns.size(); ++c)
     {
@@ -39,6 +43,7 @@ public:
       {
         const double way = set.thickness(column) * norm(column.direction);
         steps_[c] = std::max(1, static_cast<int>(std::ceil(way / (StepOfSize * column.size) - 1e-9)));
+        nextStep_[c] = 1.0 / steps_[c];
         sweeps_ = std::max(sweeps_, steps_[c]);
       }
     }
@@ -196,23 +201,34 @@ private:
     return behind;
   }
 
-  // Moves the top to the target, or half, a quarter ... of the way there.
+  // Moves the top to the target, or part of the way there. Steps shrink by halves where they fail and grow
+  // again where they succeed; the next sweep begins with one that has a chance.
   bool advance(Index c, double target, const MoveEffort& effort)
   {
-    double step = target - front_.share(c);
-    for (int i = 0; i < HalvingsOfStep; ++i, step /= 2)
+    const Column& column = set_.columns[c];
+    const double shortest = ShortestOfFirstHeight * set_.heightsOf(column).height(1) / set_.thickness(column);
+    bool moved = false;
+    int failures = 0;
+    while (front_.share(c) < target && failures < FailuresPerSweep && nextStep_[c] >= shortest)
     {
-      const double wanted = front_.share(c) + step;
+      const double wanted = std::min(target, front_.share(c) + nextStep_[c]);
       const double share = wanted > Complete ? 1 : wanted;
       const MoveVerdict verdict = moves_.move(c, front_.position(c, share), effort);
       ++report_.verdicts[static_cast<std::size_t>(verdict)];
       if (verdict == MoveVerdict::Moved || verdict == MoveVerdict::Restarred)
       {
         front_.setShare(c, share);
-        return true;
+        nextStep_[c] = std::min(1.0, 2 * nextStep_[c]);
+        moved = true;
+      }
+      else
+      {
+        nextStep_[c] /= 2;
+        ++failures;
       }
     }
-    return false;
+    nextStep_[c] = std::max(nextStep_[c], shortest);
+    return moved;
   }
 
   void settleStuckTops()
@@ -230,26 +246,16 @@ private:
     }
   }
 
-  // Lowers a stuck top onto the highest level below it where the mesh beyond stays valid. Where there is
-  // none, the top stays as it is and makes the column's last level, of a spacing of its own.
+  // Lowers a stuck top onto the highest level below it. Where the mesh beyond does not allow that, the top
+  // stays as it is and makes the column's last level, of a spacing of its own.
   void settle(Index c, Column& column)
   {
     const int reached = levelBelow(set_, column, front_.share(c) * set_.thickness(column));
-    for (int level = reached; level >= 0; --level)
+    if (!lowerTop(mesh_, set_, c, reached))
     {
-      const Vector3 x = level > 0 ? set_.pointAt(column, level) : column.base;
-      if (standsAt(column, x))
-      {
-        mesh_.movePoint(column.vertex, x);
-        column.limit(level, StopReason::Refused);
-        return;
-      }
+      column.limit(std::max(1, reached), StopReason::Refused);
     }
-    column.limit(std::max(1, reached), StopReason::Refused);
   }
-
-  // Would the mesh beyond be valid with the column's top at x?
-  bool standsAt(const Column& column, const Vector3& x);
 
   TetMesh& mesh_;
   ColumnSet& set_;
@@ -258,22 +264,9 @@ private:
   FrontMoves moves_;
   std::vector<int> steps_;
   std::vector<int> refusals_;
+  std::vector<double> nextStep_; // shares that a top tries to gain at once
   int sweeps_ = 0;
 };
-
-bool Raiser::standsAt(const Column& column, const Vector3& x)
-{
-  Traversal traversal(mesh_);
-  std::vector<Index> ball;
-  traversal.ball(column.vertex, ball);
-  return std::all_of(ball.begin(), ball.end(),
-    [&](Index t)
-    {
-      const auto& v = mesh_.tet(t).vertex;
-      const auto at = [&](int i) { return v[i] == column.vertex ? x : mesh_.point(v[i]); };
-      return isPositive(at(0), at(1), at(2), at(3));
-    });
-}
 } // namespace
 
 bool raiseFront(

@@ -1,7 +1,5 @@
 #include "Insertion/LayerStacks.h"
 
-#include "Geometry/Predicates.h"
-
 namespace ransmesh
 {
 ColumnPoints::ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseNumber, std::size_t firstNew)
@@ -34,25 +32,22 @@ std::size_t countTets(const ColumnSet& set, const std::vector<BaseFace>& faces)
 class StackWriter
 {
 public:
-  StackWriter(const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber,
-    const std::vector<Vector3>& points, StackOutput& out)
+  StackWriter(
+    const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber, StackOutput& out)
     : set_(set)
     , numbers_(numbers)
     , baseNumber_(baseNumber)
-    , points_(points)
     , out_(out)
   {
   }
 
-  // False if some tetrahedron is not positive.
-  bool write(const BaseFace& face)
+  void write(const BaseFace& face)
   {
     std::array<Index, 3> current;
     for (int j = 0; j < 3; ++j)
     {
       current[j] = baseNumber_[face.vertex[j]];
     }
-    bool positive = true;
     int level = -1;
     forEachRise(set_, face,
       [&](int below, int corner)
@@ -60,15 +55,12 @@ public:
         prism_ += below != level;
         level = below;
         const Index risen = numbers_.at(face.column[corner], below + 1);
-        positive = positive &&
-          isPositive(points_[current[0]], points_[current[1]], points_[current[2]], points_[risen]);
         out_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
         out_.layer.push_back(below + 1);
         out_.prism.push_back(prism_);
         writeSides(face, current, corner, risen);
         current[corner] = risen;
       });
-    return positive;
   }
 
 private:
@@ -94,27 +86,23 @@ private:
   const ColumnSet& set_;
   const ColumnPoints& numbers_;
   const std::vector<Index>& baseNumber_;
-  const std::vector<Vector3>& points_;
   StackOutput& out_;
   Index prism_ = -1;
 };
 } // namespace
 
 StackOutput writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, const std::vector<Vector3>& points)
+  const std::vector<Index>& baseNumber)
 {
   StackOutput out;
   const std::size_t count = countTets(set, faces);
   out.tetrahedra.reserve(count);
   out.layer.reserve(count);
   out.prism.reserve(count);
-  StackWriter writer(set, numbers, baseNumber, points, out);
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  StackWriter writer(set, numbers, baseNumber, out);
+  for (const BaseFace& face : faces)
   {
-    if (!writer.write(faces[i]))
-    {
-      out.folded.push_back(static_cast<Index>(i));
-    }
+    writer.write(face);
   }
   return out;
 }

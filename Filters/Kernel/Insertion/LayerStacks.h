@@ -61,10 +61,9 @@ struct StackOutput
   std::vector<Index> prism;                        // of each tetrahedron: those of one prism share a number
   std::vector<std::array<Index, 3>> sideTriangles; // new boundary triangles in the side patches, outward
   std::vector<int> sidePatch;
-  std::vector<Index> folded; // base faces with a tetrahedron that is not positive
 };
 
-// Writes all stacks; points must hold the final coordinates.
+// Writes all stacks; whether they fold is asked before (StackFolds.h).
 StackOutput writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, const std::vector<Vector3>& points);
+  const std::vector<Index>& baseNumber);
 } // namespace ransmesh

@@ -1,0 +1,177 @@
+#include "Insertion/StackFolds.h"
+
+#include "Geometry/Predicates.h"
+#include "Insertion/LayerStacks.h"
+#include "Mesh/Traversal.h"
+
+#include <algorithm>
+
+namespace ransmesh
+{
+namespace
+{
+Vector3 levelPoint(const TetMesh& mesh, const ColumnSet& set, const Column& c, int level)
+{
+  return level == c.levels ? mesh.point(c.vertex) : set.pointAt(c, level);
+}
+
+std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+{
+  std::array<Vector3, 3> points;
+  for (int j = 0; j < 3; ++j)
+  {
+    points[j] = face.column[j] == None ? mesh.point(face.vertex[j]) : set.columns[face.column[j]].base;
+  }
+  return points;
+}
+
+bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+{
+  std::array<Vector3, 3> current = basePoints(mesh, set, face);
+  bool positive = true;
+  forEachRise(set, face,
+    [&](int below, int corner)
+    {
+      const Vector3 risen = levelPoint(mesh, set, set.columns[face.column[corner]], below + 1);
+      positive = positive && isPositive(current[0], current[1], current[2], risen);
+      current[corner] = risen;
+    });
+  return !positive;
+}
+
+// The slab as one layer, every column at its planned height.
+bool slabFolds(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+{
+  std::array<Vector3, 3> current = basePoints(mesh, set, face);
+  for (const int corner : face.rise)
+  {
+    if (face.column[corner] == None)
+    {
+      continue;
+    }
+    const Column& c = set.columns[face.column[corner]];
+    const Vector3 top = set.pointAt(c, c.levels);
+    if (c.levels > 0 && !isPositive(current[0], current[1], current[2], top))
+    {
+      return true;
+    }
+    current[corner] = top;
+  }
+  return false;
+}
+int highestLevel(const ColumnSet& set, const BaseFace& face)
+{
+  int highest = 0;
+  for (const Index c : face.column)
+  {
+    highest = std::max(highest, c == None ? 0 : set.columns[c].levels);
+  }
+  return highest;
+}
+} // namespace
+
+void limitByFolds(const TetMesh& mesh, ColumnSet& set)
+{
+  const std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    for (const BaseFace& face : faces)
+    {
+      if (!slabFolds(mesh, set, face))
+      {
+        continue;
+      }
+      for (const Index c : face.column)
+      {
+        if (c != None && set.columns[c].levels > 0)
+        {
+          set.columns[c].limit(set.columns[c].levels / 2, StopReason::Corner);
+          changed = true;
+        }
+      }
+    }
+  }
+}
+
+std::vector<Index> findFoldedStacks(
+  const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces)
+{
+  std::vector<Index> folded;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (isFolded(mesh, set, faces[i]))
+    {
+      folded.push_back(static_cast<Index>(i));
+    }
+  }
+  return folded;
+}
+
+bool mendFolds(TetMesh& mesh, ColumnSet& set, std::vector<Index>& foldedFaces)
+{
+  const std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  foldedFaces = findFoldedStacks(mesh, set, faces);
+  bool lowered = true;
+  while (!foldedFaces.empty() && lowered)
+  {
+    lowered = false;
+    std::vector<char> touched(set.columns.size(), 0);
+    for (const Index face : foldedFaces)
+    {
+      const int highest = highestLevel(set, faces[face]);
+      for (const Index c : faces[face].column)
+      {
+        if (c != None && !touched[c] && set.columns[c].levels > 0 && set.columns[c].levels >= highest)
+        {
+          touched[c] = lowerTop(mesh, set, c, set.columns[c].levels / 2);
+          lowered = lowered || touched[c];
+        }
+      }
+    }
+    std::vector<Index> again;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      const bool concerned = std::any_of(faces[i].column.begin(), faces[i].column.end(),
+        [&touched](Index c) { return c != None && touched[c]; });
+      const bool was = std::binary_search(foldedFaces.begin(), foldedFaces.end(), static_cast<Index>(i));
+      if ((concerned || was) && isFolded(mesh, set, faces[i]))
+      {
+        again.push_back(static_cast<Index>(i));
+      }
+    }
+    foldedFaces.swap(again);
+  }
+  for (Index& face : foldedFaces)
+  {
+    face = faces[face].face;
+  }
+  return foldedFaces.empty();
+}
+
+bool lowerTop(TetMesh& mesh, ColumnSet& set, Index column, int level)
+{
+  Column& c = set.columns[column];
+  Traversal traversal(mesh);
+  std::vector<Index> ball;
+  traversal.ball(c.vertex, ball);
+  for (; level >= 0; --level)
+  {
+    const Vector3 x = level > 0 ? set.pointAt(c, level) : c.base;
+    const bool stands = std::all_of(ball.begin(), ball.end(),
+      [&](Index t)
+      {
+        const auto& v = mesh.tet(t).vertex;
+        const auto at = [&](int i) { return v[i] == c.vertex ? x : mesh.point(v[i]); };
+        return isPositive(at(0), at(1), at(2), at(3));
+      });
+    if (stands)
+    {
+      mesh.movePoint(c.vertex, x);
+      c.limit(level, StopReason::Refused);
+      return true;
+    }
+  }
+  return false;
+}
+} // namespace ransmesh
