@@ -93,7 +93,20 @@ void vtkIsotropicTetMesher::AddRefinementSphere(double cx, double cy, double cz,
 //------------------------------------------------------------------------------
 void vtkIsotropicTetMesher::ClearRefinements()
 {
+  this->ClearRefinementBoxes();
+  this->ClearRefinementSpheres();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearRefinementBoxes()
+{
   this->Lists->Boxes.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearRefinementSpheres()
+{
   this->Lists->Spheres.clear();
   this->Modified();
 }

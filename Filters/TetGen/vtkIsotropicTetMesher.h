@@ -115,6 +115,8 @@ public:
    */
   void AddRefinementSphere(double cx, double cy, double cz, double radius, double size);
   void ClearRefinements();
+  void ClearRefinementBoxes();
+  void ClearRefinementSpheres();
 
   /**
    * Sets the type of the patches that a pattern takes (a name, a name with the wildcards * and ?, or a
