@@ -94,17 +94,18 @@ void sortTrianglesByPatch(MeshData& data)
   data.trianglePatch.swap(patch);
 }
 
-void appendStacks(const StackOutput& stacks, EnrichedMesh& result)
+void appendStacks(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, EnrichedMesh& result)
 {
   MeshData& data = result.mesh;
-  result.layer.assign(data.tetrahedra.size(), 0);
-  result.prism.assign(data.tetrahedra.size(), None);
-  data.tetrahedra.insert(data.tetrahedra.end(), stacks.tetrahedra.begin(), stacks.tetrahedra.end());
-  result.layer.insert(result.layer.end(), stacks.layer.begin(), stacks.layer.end());
-  result.prism.insert(result.prism.end(), stacks.prism.begin(), stacks.prism.end());
-  data.triangles.insert(data.triangles.end(), stacks.sideTriangles.begin(), stacks.sideTriangles.end());
-  data.trianglePatch.insert(data.trianglePatch.end(), stacks.sidePatch.begin(), stacks.sidePatch.end());
-  sortTrianglesByPatch(data);
+  const std::size_t beyond = data.tetrahedra.size();
+  result.layer.assign(beyond, 0);
+  result.prism.assign(beyond, None);
+  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  findSides(mesh, set, faces);
+  StackSink sink{ data.tetrahedra, result.layer, result.prism, data.triangles, data.trianglePatch };
+  writeStacks(set, faces, numbers, baseNumber, sink);
+  result.report.layerTets = data.tetrahedra.size() - beyond;
 }
 
 void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMesh& result)
@@ -149,12 +150,9 @@ void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& resu
   }
   const ColumnPoints numbers(set, baseNumber, oldPoints);
   addColumnPoints(mesh, set, baseNumber, result);
-  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
-  findSides(mesh, set, faces);
-  const StackOutput stacks = writeStacks(set, faces, numbers, baseNumber);
   separateWallFromFront(mesh, set, numbers, baseNumber, result.mesh);
-  appendStacks(stacks, result);
+  appendStacks(mesh, set, numbers, baseNumber, result);
+  sortTrianglesByPatch(result.mesh);
   reportColumns(set, numbers, result);
-  result.report.layerTets = stacks.tetrahedra.size();
 }
 } // namespace ransmesh

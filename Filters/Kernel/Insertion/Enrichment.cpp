@@ -70,17 +70,17 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     return Outcome::badInput("the gap fraction is " + std::to_string(options.gapFraction) +
       "; it must lie above 0 and not exceed 0.5: set GapFraction");
   }
-  TetMesh original;
-  if (Outcome outcome = buildTetMesh(input, original); !outcome.ok())
-  {
-    return outcome;
-  }
-  const Classification classes = classify(original, patches);
-  LevelCaps caps(original.vertexCount(), MaximumNumberOfLayers);
+  LevelCaps caps(input.points.size(), MaximumNumberOfLayers);
   for (int attempt = 0; attempt < MostRestarts; ++attempt)
   {
+    context.report(0, "building the mesh's neighbourhoods");
+    TetMesh mesh;
+    if (Outcome outcome = buildTetMesh(input, mesh); !outcome.ok())
+    {
+      return outcome;
+    }
     context.report(0.1, "planning columns");
-    TetMesh mesh = original;
+    const Classification classes = classify(mesh, patches);
     EnrichedMesh enriched;
     ColumnSet set = planColumns(mesh, patches, plan, options, caps);
     enriched.report.restarts = attempt;

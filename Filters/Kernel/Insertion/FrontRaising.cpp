@@ -58,7 +58,7 @@ public:
       {
         return false;
       }
-      context.report(static_cast<double>(sweep) / (sweeps_ + ExtraSweeps), "raising the layers' outer front");
+      context.report(0.2 + 0.5 * sweep / (sweeps_ + ExtraSweeps), "raising the layers' outer front");
       if (sweep <= sweeps_)
       {
         moveTogether(sweep);

@@ -16,28 +16,15 @@ ColumnPoints::ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseN
 
 namespace
 {
-std::size_t countTets(const ColumnSet& set, const std::vector<BaseFace>& faces)
-{
-  std::size_t count = 0;
-  for (const BaseFace& face : faces)
-  {
-    for (const Index c : face.column)
-    {
-      count += c == None ? 0 : static_cast<std::size_t>(set.columns[c].levels);
-    }
-  }
-  return count;
-}
-
 class StackWriter
 {
 public:
   StackWriter(
-    const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber, StackOutput& out)
+    const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber, StackSink& sink)
     : set_(set)
     , numbers_(numbers)
     , baseNumber_(baseNumber)
-    , out_(out)
+    , sink_(sink)
   {
   }
 
@@ -55,9 +42,9 @@ public:
         prism_ += below != level;
         level = below;
         const Index risen = numbers_.at(face.column[corner], below + 1);
-        out_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
-        out_.layer.push_back(below + 1);
-        out_.prism.push_back(prism_);
+        sink_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
+        sink_.layer.push_back(below + 1);
+        sink_.prism.push_back(prism_);
         writeSides(face, current, corner, risen);
         current[corner] = risen;
       });
@@ -78,32 +65,43 @@ private:
       const bool otherFollows = step == 1;
       const Index a = otherFollows ? current[other] : current[corner];
       const Index b = otherFollows ? current[corner] : current[other];
-      out_.sideTriangles.push_back({ b, a, risen });
-      out_.sidePatch.push_back(face.sideOpposite[opposite]);
+      sink_.sideTriangles.push_back({ b, a, risen });
+      sink_.sidePatch.push_back(face.sideOpposite[opposite]);
     }
   }
 
   const ColumnSet& set_;
   const ColumnPoints& numbers_;
   const std::vector<Index>& baseNumber_;
-  StackOutput& out_;
+  StackSink& sink_;
   Index prism_ = -1;
 };
 } // namespace
 
-StackOutput writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber)
+std::size_t countStackTets(const ColumnSet& set, const std::vector<BaseFace>& faces)
 {
-  StackOutput out;
-  const std::size_t count = countTets(set, faces);
-  out.tetrahedra.reserve(count);
-  out.layer.reserve(count);
-  out.prism.reserve(count);
-  StackWriter writer(set, numbers, baseNumber, out);
+  std::size_t count = 0;
+  for (const BaseFace& face : faces)
+  {
+    for (const Index c : face.column)
+    {
+      count += c == None ? 0 : static_cast<std::size_t>(set.columns[c].levels);
+    }
+  }
+  return count;
+}
+
+void writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, StackSink& sink)
+{
+  const std::size_t count = sink.tetrahedra.size() + countStackTets(set, faces);
+  sink.tetrahedra.reserve(count);
+  sink.layer.reserve(count);
+  sink.prism.reserve(count);
+  StackWriter writer(set, numbers, baseNumber, sink);
   for (const BaseFace& face : faces)
   {
     writer.write(face);
   }
-  return out;
 }
 } // namespace ransmesh

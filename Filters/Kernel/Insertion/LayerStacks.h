@@ -54,16 +54,20 @@ void forEachRise(const ColumnSet& set, const BaseFace& face, Visit visit)
   }
 }
 
-struct StackOutput
+// Where stacks are written to, behind what is there.
+struct StackSink
 {
-  std::vector<std::array<Index, 4>> tetrahedra;
-  std::vector<int> layer;                          // of each tetrahedron, 1 at the wall
-  std::vector<Index> prism;                        // of each tetrahedron: those of one prism share a number
-  std::vector<std::array<Index, 3>> sideTriangles; // new boundary triangles in the side patches, outward
-  std::vector<int> sidePatch;
+  std::vector<std::array<Index, 4>>& tetrahedra;
+  std::vector<int>& layer;                          // of each tetrahedron, 1 at the wall
+  std::vector<Index>& prism;                        // of each tetrahedron: those of one prism share a number
+  std::vector<std::array<Index, 3>>& sideTriangles; // new boundary triangles in the side patches, outward
+  std::vector<int>& sidePatch;
 };
 
+// The number of tetrahedra in all stacks.
+std::size_t countStackTets(const ColumnSet& set, const std::vector<BaseFace>& faces);
+
 // Writes all stacks; whether they fold is asked before (StackFolds.h).
-StackOutput writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber);
+void writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, StackSink& sink);
 } // namespace ransmesh
