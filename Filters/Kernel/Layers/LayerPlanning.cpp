@@ -1,5 +1,7 @@
 #include "Layers/LayerPlanning.h"
 
+#include "Support/Numbers.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -250,8 +252,8 @@ Outcome planLayers(
     if (!(plan[i].firstHeight < extent))
     {
       return Outcome::badInput("layers on " + patches[i].name + ": the first height " +
-        std::to_string(plan[i].firstHeight) + " is not below the largest extent of the mesh, " +
-        std::to_string(extent) + ": give FirstHeight in the length unit of the surface");
+        textOf(plan[i].firstHeight) + " is not below the largest extent of the mesh, " + textOf(extent) +
+        ": give FirstHeight in the length unit of the surface");
     }
   }
   return Outcome::done();

@@ -1,5 +1,7 @@
 #include "Layers/LayerSpecification.h"
 
+#include "Support/Numbers.h"
+
 #include <cmath>
 #include <string>
 
@@ -19,12 +21,12 @@ Outcome checkSpecification(const LayerSpecification& s, const char* where)
   { return Outcome::badInput("layers on " + std::string(where) + ": " + text); };
   if (!(s.firstHeight > 0) || !std::isfinite(s.firstHeight))
   {
-    return bad("the first height is " + std::to_string(s.firstHeight) +
+    return bad("the first height is " + textOf(s.firstHeight) +
       "; it must be positive: set FirstHeight, in the length unit of the surface");
   }
   if (!(s.growthRate >= 1) || !(s.growthRate <= 10))
   {
-    return bad("the growth rate is " + std::to_string(s.growthRate) +
+    return bad("the growth rate is " + textOf(s.growthRate) +
       "; it must lie between 1 and 10 (1.1 to 1.3 is usual): set GrowthRate");
   }
   if (s.numberOfLayers < 1 || s.numberOfLayers > MaximumNumberOfLayers)
@@ -38,7 +40,7 @@ Outcome checkSpecification(const LayerSpecification& s, const char* where)
   }
   if (!(s.isotropicFraction > 0))
   {
-    return bad("the isotropic fraction is " + std::to_string(s.isotropicFraction) +
+    return bad("the isotropic fraction is " + textOf(s.isotropicFraction) +
       "; it must be positive (0.7 is usual): set IsotropicFraction");
   }
   return Outcome::done();

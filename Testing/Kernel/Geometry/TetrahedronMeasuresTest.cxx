@@ -6,10 +6,10 @@ namespace
 {
 using ransmesh::Vector3;
 
-const Vector3 A{1, 1, 1};
-const Vector3 B{-1, -1, 1};
-const Vector3 C{1, -1, -1};
-const Vector3 D{-1, 1, -1};
+const Vector3 A{ 1, 1, 1 };
+const Vector3 B{ -1, -1, 1 };
+const Vector3 C{ 1, -1, -1 };
+const Vector3 D{ -1, 1, -1 };
 
 TEST(TetrahedronMeasures, regularOneIsTheUnit)
 {
@@ -28,13 +28,13 @@ TEST(TetrahedronMeasures, qualityHasTheSignOfTheExactVolume)
 {
   EXPECT_LT(ransmesh::quality(A, B, C, D), 0);
   // Exactly flat, though no coordinate is a round number.
-  const Vector3 p{0.1, 0.2, 0.3};
-  const Vector3 q{0.7, 0.2, 0.3};
-  const Vector3 r{0.1, 0.9, 0.3};
-  EXPECT_LE(ransmesh::quality(p, q, r, {0.33, 0.44, 0.3}), 0);
+  const Vector3 p{ 0.1, 0.2, 0.3 };
+  const Vector3 q{ 0.7, 0.2, 0.3 };
+  const Vector3 r{ 0.1, 0.9, 0.3 };
+  EXPECT_LE(ransmesh::quality(p, q, r, { 0.33, 0.44, 0.3 }), 0);
   // One unit in the last place above the plane.
-  EXPECT_GT(ransmesh::quality(p, q, r, {0.33, 0.44, std::nextafter(0.3, 1)}), 0);
-  EXPECT_LE(ransmesh::quality(p, q, r, {0.33, 0.44, std::nextafter(0.3, 0)}), 0);
+  EXPECT_GT(ransmesh::quality(p, q, r, { 0.33, 0.44, std::nextafter(0.3, 1) }), 0);
+  EXPECT_LE(ransmesh::quality(p, q, r, { 0.33, 0.44, std::nextafter(0.3, 0) }), 0);
   EXPECT_EQ(ransmesh::quality(p, p, p, p), 0);
 }
 
@@ -43,14 +43,14 @@ TEST(TetrahedronMeasures, anglesOfFlatTetrahedraAreSound)
 {
   for (double h = 1; h > 1e-13; h /= 10)
   {
-    const auto low = ransmesh::dihedralAngles({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, h});
+    const auto low = ransmesh::dihedralAngles({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, h });
     EXPECT_NEAR(low[0], 90, 1e-10) << h; // edge 01
     EXPECT_NEAR(low[1], 90, 1e-10) << h; // edge 02
     EXPECT_NEAR(low[2], 90, 1e-10) << h; // edge 03
     const double atHypotenuse = std::atan2(h, std::sqrt(0.5)) * 180 / M_PI;
     EXPECT_NEAR(low[3] / atHypotenuse, 1, 1e-10) << h;
     // The apex above the middle of the triangle: three angles near 180 are there to be seen.
-    const auto flat = ransmesh::dihedralAngles({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.25, 0.25, h});
+    const auto flat = ransmesh::dihedralAngles({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.25, 0.25, h });
     EXPECT_NEAR(flat[0], std::atan2(h, 0.25) * 180 / M_PI, 1e-10) << h;
     EXPECT_GT(flat[2], 90) << h;
   }
@@ -58,10 +58,10 @@ TEST(TetrahedronMeasures, anglesOfFlatTetrahedraAreSound)
 
 TEST(TetrahedronMeasures, smallHeightsAtLargeCoordinatesKeepTheirAngles)
 {
-  const Vector3 shift{1, 1, 1};
+  const Vector3 shift{ 1, 1, 1 };
   const double h = std::ldexp(1.0, -27); // about 7e-9, exact at these coordinates
-  const auto m =
-    ransmesh::measure(shift, shift + Vector3{1, 0, 0}, shift + Vector3{0, 1, 0}, shift + Vector3{0, 0, h});
+  const auto m = ransmesh::measure(
+    shift, shift + Vector3{ 1, 0, 0 }, shift + Vector3{ 0, 1, 0 }, shift + Vector3{ 0, 0, h });
   EXPECT_NEAR(m.largestDihedral, 90, 1e-9);
   EXPECT_NEAR(m.stretching(), std::sqrt(2.0) / h * std::sqrt(1 + 2 * h * h), 1);
   EXPECT_NEAR(m.volume, h / 6, 1e-22);
@@ -69,7 +69,7 @@ TEST(TetrahedronMeasures, smallHeightsAtLargeCoordinatesKeepTheirAngles)
 
 TEST(TetrahedronMeasures, aFlatOneHasFiniteMeasures)
 {
-  const auto m = ransmesh::measure({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0});
+  const auto m = ransmesh::measure({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 });
   EXPECT_EQ(m.volume, 0);
   EXPECT_TRUE(std::isfinite(m.stretching()));
   EXPECT_DOUBLE_EQ(m.largestDihedral, 180);
@@ -79,9 +79,9 @@ TEST(TetrahedronMeasures, aFlatOneHasFiniteMeasures)
 // Against the direct way, by the faces' normals, on well-shaped tetrahedra.
 TEST(TetrahedronMeasures, anglesAgreeWithNormals)
 {
-  const std::array<Vector3, 4> p = {
-    Vector3{0.1, -0.3, 0.2}, {1.2, 0.1, -0.1}, {0.3, 1.1, 0.4}, {0.2, 0.3, 0.9}};
-  constexpr int faces[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const std::array<Vector3, 4> p = { Vector3{ 0.1, -0.3, 0.2 }, { 1.2, 0.1, -0.1 }, { 0.3, 1.1, 0.4 },
+    { 0.2, 0.3, 0.9 } };
+  constexpr int faces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
   std::array<Vector3, 4> normal;
   for (int f = 0; f < 4; ++f)
   {
