@@ -1,0 +1,280 @@
+#include "Geometry/TetrahedronMeasures.h"
+#include "Insertion/EnrichmentChecks.h"
+#include "Mesh/Validation.h"
+#include "Support/GridMesh.h"
+
+#include <cmath>
+
+using namespace enrichment_checks;
+using namespace grid_mesh;
+
+namespace
+{
+double largestLayerAngle(const EnrichedMesh& enriched)
+{
+  double largest = 0;
+  for (std::size_t t = 0; t < enriched.layer.size(); ++t)
+  {
+    if (enriched.layer[t] > 0)
+    {
+      const auto& v = enriched.mesh.tetrahedra[t];
+      const auto& p = enriched.mesh.points;
+      largest = std::max(largest, largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]));
+    }
+  }
+  return largest;
+}
+
+// No angle of a clean layer exceeds the larger of a right angle and the wall's own.
+double largestWallAngle(const MeshData& mesh, int wall)
+{
+  double largest = 90;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    for (int j = 0; mesh.trianglePatch[i] == wall && j < 3; ++j)
+    {
+      const auto at = [&](int k) { return mesh.points[mesh.triangles[i][(j + k) % 3]]; };
+      const Vector3 u = normalized(at(1) - at(0));
+      const Vector3 v = normalized(at(2) - at(0));
+      largest = std::max(largest, std::acos(dot(u, v)) * 180 / M_PI);
+    }
+  }
+  return largest;
+}
+
+PatchTable plateTable()
+{
+  PatchTable table = patches(PatchType::Symmetry);
+  table[ZLow].type = PatchType::Wall;
+  return table;
+}
+
+// A quarter of a ring: the outer side (ZHigh) is a pipe's wall seen from inside, the inner (ZLow) a
+// cylinder's seen from outside.
+Vector3 ring(const Vector3& p)
+{
+  const double angle = M_PI / 2 * p.x;
+  const double radius = 0.5 + 0.5 * p.z;
+  return { radius * std::sin(angle), p.y, radius * std::cos(angle) };
+}
+} // namespace
+
+TEST(Enrichment, PlateIsComplete)
+{
+  const MeshData mesh = make({ 6, 5, 4, {}, 0.2 });
+  const auto enriched = enrichAndCheck(mesh, plateTable(), planFor(7, { ZLow }, 1e-5, 25));
+  expectCompleteLayers(mesh, enriched, ZLow, 25);
+  EXPECT_LT(largestLayerAngle(enriched), largestWallAngle(mesh, ZLow) + 0.01);
+  EXPECT_EQ(enriched.report.layerTets, 25u * 3u * 60u);
+}
+
+TEST(Enrichment, PlateOfTinyFirstHeightTurnedToNoAxis)
+{
+  const MeshData mesh = make({ 6, 5, 4, turned, 0.2 });
+  const auto enriched = enrichAndCheck(mesh, plateTable(), planFor(7, { ZLow }, 1e-8, 25));
+  expectCompleteLayers(mesh, enriched, ZLow, 25);
+  EXPECT_LT(largestLayerAngle(enriched), largestWallAngle(mesh, ZLow) + 0.01);
+}
+
+TEST(Enrichment, HeightsAreTheOnesAsked)
+{
+  const MeshData mesh = make({ 5, 5, 4 });
+  const LayerPlan plan = planFor(7, { ZLow }, 1e-4, 12);
+  const auto enriched = enrichAndCheck(mesh, plateTable(), plan);
+  const LayerHeights heights(plan[ZLow]);
+  for (const WallPoint& wall : enriched.wallPoints)
+  {
+    EXPECT_NEAR(wall.firstHeightAchieved, 1e-4, 1e-12);
+    EXPECT_EQ(wall.firstHeightAsked, 1e-4);
+  }
+  std::map<Index, int> level;
+  for (std::size_t i = 0; i < enriched.mesh.points.size(); ++i)
+  {
+    if (enriched.column[i] != None)
+    {
+      EXPECT_NEAR(enriched.mesh.points[i].z, heights.height(level[enriched.column[i]]++), 1e-12);
+    }
+  }
+}
+
+TEST(Enrichment, ConstantFirstLayersDoNotGrow)
+{
+  LayerPlan plan = planFor(7, { ZLow }, 1e-3, 8);
+  plan[ZLow].constantLayers = 3;
+  const LayerHeights heights(plan[ZLow]);
+  EXPECT_DOUBLE_EQ(heights.spacing(4), 1e-3);
+  EXPECT_NEAR(heights.spacing(5), 1.2e-3, 1e-15);
+  enrichAndCheck(make({ 5, 5, 4 }), plateTable(), plan);
+}
+
+TEST(Enrichment, RingsInsideAndOutsideAreComplete)
+{
+  const MeshData mesh = make({ 10, 4, 5, ring });
+  PatchTable table = patches(PatchType::Symmetry);
+  for (const int wall : { ZLow, ZHigh })
+  {
+    // The chords of a curved side enclose a little less as the sides' points move: a loose volume.
+    const auto enriched = enrichAndCheck(mesh, table, planFor(7, { wall }, 1e-5, 25), 1e-9);
+    expectCompleteLayers(mesh, enriched, wall, 25);
+    EXPECT_LT(largestLayerAngle(enriched), 110);
+  }
+}
+
+TEST(Enrichment, LayersThickerThanTheSurfaceSizeStayValid)
+{
+  const MeshData mesh = make({ 8, 8, 10, {}, 0.2 });
+  const auto enriched = enrichAndCheck(mesh, plateTable(), planFor(7, { ZLow }, 1e-3, 20));
+  EXPECT_GT(enriched.report.pointsInserted, 0.9 * static_cast<double>(enriched.report.pointsRequested));
+  EXPECT_LT(largestLayerAngle(enriched), 175);
+}
+
+TEST(Enrichment, SixViscousWallsStayValid)
+{
+  const MeshData mesh = make({ 6, 6, 6 });
+  const auto enriched = enrichAndCheck(
+    mesh, patches(PatchType::Wall), planFor(7, { XLow, XHigh, YLow, YHigh, ZLow, ZHigh }, 1e-5, 20));
+  EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+}
+
+TEST(Enrichment, AWallThatEndsInAPlaneKeepsItsLastColumns)
+{
+  const int symmetryPart = 7;
+  const auto split = [&](Side side, const Vector3& middle)
+  { return side == ZLow && middle.x < 0.5 ? symmetryPart : static_cast<int>(side); };
+  const MeshData mesh = make({ 6, 4, 4 }, split);
+  PatchTable table = patches(PatchType::Symmetry, 7);
+  table[ZLow].type = PatchType::Wall;
+  const auto enriched = enrichAndCheck(mesh, table, planFor(8, { ZLow }, 1e-5, 10));
+  EXPECT_EQ(enriched.report.columnsByReason[static_cast<int>(StopReason::Complete)], 4u * 5u);
+}
+
+TEST(Enrichment, WallsOfDifferentLayersMeet)
+{
+  const int second = 7;
+  const auto split = [&](Side side, const Vector3& middle)
+  { return side == ZLow && middle.x < 0.5 ? second : static_cast<int>(side); };
+  const MeshData mesh = make({ 6, 4, 4 }, split);
+  PatchTable table = patches(PatchType::Symmetry, 7);
+  LayerPlan plan = planFor(8, { ZLow, second }, 1e-5, 10);
+  plan[second].firstHeight = 1e-4;
+  plan[second].growthRate = 1.3;
+  plan[second].numberOfLayers = 6;
+  const auto enriched = enrichAndCheck(mesh, table, plan);
+  std::map<int, int> columns;
+  for (const WallPoint& wall : enriched.wallPoints)
+  {
+    EXPECT_EQ(wall.layersAsked, wall.patch == second ? 6 : 10);
+    EXPECT_EQ(wall.layersAchieved, wall.layersAsked);
+    ++columns[wall.patch];
+  }
+  EXPECT_EQ(columns[second], 3 * 5); // the border takes the smaller first height
+  EXPECT_EQ(columns[ZLow], 4 * 5);
+}
+
+TEST(Enrichment, AnInterfaceIsNotTouched)
+{
+  const MeshData mesh = make({ 5, 4, 4 });
+  PatchTable table = plateTable();
+  table[XLow].type = PatchType::Interface;
+  const auto enriched = enrichAndCheck(mesh, table, planFor(7, { ZLow }, 1e-4, 10));
+  std::set<std::array<double, 9>> before;
+  std::set<std::array<double, 9>> after;
+  const auto collect = [](const MeshData& m, std::set<std::array<double, 9>>& out)
+  {
+    for (std::size_t i = 0; i < m.triangles.size(); ++i)
+    {
+      if (m.trianglePatch[i] == XLow)
+      {
+        std::array<Vector3, 3> p = { m.points[m.triangles[i][0]], m.points[m.triangles[i][1]],
+          m.points[m.triangles[i][2]] };
+        std::sort(p.begin(), p.end(),
+          [](const Vector3& a, const Vector3& b) {
+            return std::array{ a.x, a.y, a.z } < std::array{ b.x, b.y, b.z };
+          });
+        out.insert({ p[0].x, p[0].y, p[0].z, p[1].x, p[1].y, p[1].z, p[2].x, p[2].y, p[2].z });
+      }
+    }
+  };
+  collect(mesh, before);
+  collect(enriched.mesh, after);
+  EXPECT_EQ(before, after);
+  EXPECT_EQ(enriched.report.columnsByReason[static_cast<int>(StopReason::Frozen)], 5u);
+}
+
+TEST(Enrichment, ColumnsShareAGap)
+{
+  const double gap = 0.02;
+  const MeshData mesh = make({ 6, 6, 2, [&](const Vector3& p) { return Vector3{ p.x, p.y, gap * p.z }; } });
+  const auto enriched =
+    enrichAndCheck(mesh, patches(PatchType::Symmetry), planFor(7, { ZLow, ZHigh }, 1e-4, 25));
+  for (const WallPoint& wall : enriched.wallPoints)
+  {
+    EXPECT_EQ(wall.reason == StopReason::Gap || wall.reason == StopReason::Transition ||
+        wall.reason == StopReason::Refused,
+      true);
+    EXPECT_GT(wall.layersAchieved, 0);
+  }
+}
+
+TEST(Enrichment, IsTheSameTwice)
+{
+  const MeshData mesh = make({ 8, 8, 8, turned, 0.25 });
+  const LayerPlan plan = planFor(7, { ZLow, XLow }, 5e-4, 22);
+  const auto a = enrichAndCheck(mesh, plateTable(), plan);
+  const auto b = enrichAndCheck(mesh, plateTable(), plan);
+  EXPECT_EQ(a.mesh.points, b.mesh.points);
+  EXPECT_EQ(a.mesh.tetrahedra, b.mesh.tetrahedra);
+  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+}
+
+TEST(Enrichment, StopsOnRequest)
+{
+  Context context;
+  context.cancelled = [] { return true; };
+  EnrichedMesh enriched;
+  const Outcome outcome =
+    enrich(make({}), plateTable(), planFor(7, { ZLow }, 1e-5, 25), {}, context, enriched);
+  EXPECT_EQ(outcome.kind, Outcome::Kind::Cancelled);
+  EXPECT_TRUE(enriched.mesh.tetrahedra.empty());
+}
+
+TEST(Enrichment, RefusesAnInvalidMesh)
+{
+  MeshData mesh = make({});
+  std::swap(mesh.tetrahedra[5][0], mesh.tetrahedra[5][1]);
+  EnrichedMesh enriched;
+  const Outcome outcome = enrich(mesh, plateTable(), planFor(7, { ZLow }, 1e-5, 25), {}, {}, enriched);
+  EXPECT_EQ(outcome.kind, Outcome::Kind::BadInput);
+  EXPECT_NE(outcome.message.find("1 tetrahedra not positive"), std::string::npos) << outcome.message;
+}
+
+TEST(Enrichment, RandomWallsAndLayersAreAlwaysValid)
+{
+  std::mt19937 random(20260101);
+  const auto chance = [&random](double p) { return std::uniform_real_distribution<>(0, 1)(random) < p; };
+  for (int run = 0; run < 40; ++run)
+  {
+    Grid grid;
+    grid.nx = 3 + static_cast<int>(random() % 6);
+    grid.ny = 3 + static_cast<int>(random() % 6);
+    grid.nz = 3 + static_cast<int>(random() % 6);
+    grid.jitter = 0.15;
+    grid.seed = run;
+    const double scale = std::pow(10, static_cast<int>(random() % 9) - 3);
+    const bool turn = chance(0.5);
+    grid.map = [=](const Vector3& p) { return scale * (turn ? turned(p) : p); };
+    PatchTable table = patches(PatchType::Symmetry);
+    std::set<int> walls;
+    for (int side = 1; side <= 6; ++side)
+    {
+      if (chance(0.4))
+      {
+        walls.insert(side);
+        table[side].type = PatchType::Wall;
+      }
+    }
+    const double firstHeight = scale * std::pow(10, -2 - static_cast<int>(random() % 6));
+    SCOPED_TRACE("run " + std::to_string(run));
+    enrichAndCheck(make(grid), table, planFor(7, walls, firstHeight, 1 + static_cast<int>(random() % 30)));
+  }
+}
