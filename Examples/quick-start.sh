@@ -12,4 +12,5 @@ cmake --preset quick-start
 cmake --build --preset quick-start
 
 mkdir -p "$folder"
+"$build/bin/nosecone-surface" "$folder/nosecone.vtp"
 xvfb-run -a build/quick-start/bin/ransmesh-nosecone-demo "$folder"

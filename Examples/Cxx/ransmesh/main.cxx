@@ -6,6 +6,7 @@
 #include "ReportFile.h"
 #include "SurfaceReader.h"
 
+#include <vtkLogger.h>
 #include <vtkMeshQualityReport.h>
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
@@ -118,6 +119,7 @@ int mesh(const Options& options)
 
 int main(int count, char* words[])
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // the filters' remarks; errors are told by us
   try
   {
     const Options options = parseOptions({ words + 1, words + count });
