@@ -1,0 +1,69 @@
+// One case of the benchmarks: a surface, and what each stage makes of it, made when first asked for.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Insertion/Enrichment.h"
+#include "Layers/LayerPlanning.h"
+#include "Mesh/MeshData.h"
+#include "Removal/PointRemoval.h"
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+class vtkPolyData;
+
+namespace ransmesh_benchmarks
+{
+struct CaseDescription
+{
+  std::string name;
+  std::function<vtkSmartPointer<vtkPolyData>()> surface; // nullptr: the case is left out
+  bool farField = false;
+  double firstHeight = 1e-5;
+  int layers = 25;
+};
+
+// Errors of stages are std::runtime_error here.
+class Chain
+{
+public:
+  explicit Chain(CaseDescription description)
+    : description_(std::move(description))
+  {
+  }
+  const std::string& name() const { return description_.name; }
+
+  // Each runs its stage on the result of the one before; that is kept, the stage's own result too.
+  void mesh();
+  ransmesh::RemovalResult remove(ransmesh::TetMesh& mesh) const;
+  void enrich();
+
+  // Results of stages, which run first where they have not yet.
+  const ransmesh::MeshData& isotropic();
+  const ransmesh::MeshData& cleared();
+  const ransmesh::EnrichedMesh& enriched();
+
+  ransmesh::TetMesh editableIsotropic();
+  void keepCleared(const ransmesh::TetMesh& mesh);
+  const ransmesh::PatchTable& patches() const { return patches_; }
+  const ransmesh::LayerPlan& plan() const { return plan_; }
+
+  // Points that the enrichment inserts in a second, kept for comparison.
+  double enrichmentRate = 0;
+
+private:
+  vtkSmartPointer<vtkPolyData> surface();
+
+  CaseDescription description_;
+  vtkSmartPointer<vtkPolyData> surface_;
+  ransmesh::PatchTable patches_;
+  ransmesh::LayerPlan plan_;
+  std::optional<ransmesh::MeshData> isotropic_;
+  std::optional<ransmesh::MeshData> cleared_;
+  std::optional<ransmesh::EnrichedMesh> enriched_;
+};
+} // namespace ransmesh_benchmarks
