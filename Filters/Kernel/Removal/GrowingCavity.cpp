@@ -19,7 +19,7 @@ bool BoundaryRules::mayStar(int patch, Index apex) const
   return changeable[patch] && std::find(own.begin(), own.end(), patch) != own.end();
 }
 
-void GrowingCavity::begin(std::span<const Index> tets, Index vanishing)
+void GrowingCavity::begin(std::span<const Index> tets, std::initializer_list<Index> vanishing)
 {
   cavity_.tets.assign(tets.begin(), tets.end());
   cavity_.starredFaces.clear();
@@ -31,14 +31,14 @@ void GrowingCavity::begin(std::span<const Index> tets, Index vanishing)
   }
   for (const Index t : tets)
   {
-    addOuterFaces(t, vanishing);
+    addOuterFaces(t, { vanishing.begin(), vanishing.size() });
   }
   tetsAtBegin_ = cavity_.tets.size();
   facesAtBegin_ = faces_.size();
   starredAtBegin_ = cavity_.starredFaces.size();
 }
 
-void GrowingCavity::addOuterFaces(Index t, Index vanishing)
+void GrowingCavity::addOuterFaces(Index t, std::span<const Index> vanishing)
 {
   const Tetrahedron& tet = mesh_.tet(t);
   for (int f = 0; f < 4; ++f)
@@ -49,7 +49,8 @@ void GrowingCavity::addOuterFaces(Index t, Index vanishing)
       continue;
     }
     OuterFace face{ tet.face(f), beyond, false, 0 };
-    face.starred = isBoundary(beyond) && vanishing != None && face.has(vanishing);
+    face.starred = isBoundary(beyond) && !vanishing.empty() &&
+      std::all_of(vanishing.begin(), vanishing.end(), [&](Index v) { return face.has(v); });
     if (face.starred)
     {
       cavity_.starredFaces.push_back(boundaryFaceOf(beyond));
@@ -107,6 +108,15 @@ double GrowingCavity::worstFrom(Index apex, double floor)
   return worst;
 }
 
+std::size_t GrowingCavity::countPoor(Index apex, double floor)
+{
+  undoGrowth();
+  const Vector3& point = mesh_.point(apex);
+  return static_cast<std::size_t>(std::count_if(faces_.begin(), faces_.end(),
+    [&](const OuterFace& face)
+    { return !face.starred && !face.has(apex) && qualityFrom(face, point) <= floor; }));
+}
+
 // Whether outer face i can stay, or the cavity can grow beyond it.
 bool GrowingCavity::passFace(std::size_t i, Index apex, double floor, std::size_t limit)
 {
@@ -137,7 +147,7 @@ bool GrowingCavity::passFace(std::size_t i, Index apex, double floor, std::size_
   const Index added = tetOf(face.beyond);
   inCavity_.set(added);
   cavity_.tets.push_back(added);
-  addOuterFaces(added, None);
+  addOuterFaces(added, {});
   return true;
 }
 

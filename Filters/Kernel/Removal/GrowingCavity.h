@@ -7,6 +7,7 @@
 #include "Mesh/TetMesh.h"
 
 #include <array>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,16 @@ public:
   {
   }
 
-  // Begins with these tetrahedra; of their boundary faces, those at the vertex vanishing (if not None)
-  // are to be starred again.
-  void begin(std::span<const Index> tets, Index vanishing);
+  // Begins with these tetrahedra; of their boundary faces, those that have all vertices in vanishing
+  // (none, a vertex, or an edge) are to be starred again.
+  void begin(std::span<const Index> tets, std::initializer_list<Index> vanishing);
 
   // The worst quality of the tetrahedra that would come, the cavity being as it began; gives up, with
   // floor or less, as soon as one is not better than floor.
   double worstFrom(Index apex, double floor);
+
+  // How many outer faces see the apex no better than floor, the cavity being as it began.
+  std::size_t countPoor(Index apex, double floor);
 
   // Grows the cavity beyond every face that sees the apex no better than floor, by at most budget
   // tetrahedra; boundary faces that see it so are starred where the rules allow it. Gives the worst
@@ -61,7 +65,7 @@ private:
     bool has(Index v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
   };
 
-  void addOuterFaces(Index tet, Index vanishing);
+  void addOuterFaces(Index tet, std::span<const Index> vanishing);
   void undoGrowth();
   double qualityFrom(const OuterFace& face, const Vector3& apex) const;
   bool passFace(std::size_t i, Index apex, double floor, std::size_t limit);

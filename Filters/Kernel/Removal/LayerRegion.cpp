@@ -1,6 +1,8 @@
 #include "Removal/LayerRegion.h"
 
 #include "Geometry/Distance.h"
+#include "Geometry/SpatialOrder.h"
+#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Traversal.h"
 
 #include <algorithm>
@@ -16,6 +18,8 @@ struct WallTriangle
   std::array<Index, 3> vertex;
   int patch;
   double reach;
+  Vector3 centre; // of a sphere that holds the triangle
+  double radius;
 };
 
 // The walls' triangles, those at each vertex, and how far the region reaches from each.
@@ -34,6 +38,17 @@ public:
   Index someTriangleAt(Index v) const { return triangleAt_[first_[v]]; }
   double reach(Index t) const { return triangles_[t].reach; }
 
+  // The quality of the tetrahedron from triangle t to the end of its reach.
+  double attainableQuality(Index t) const
+  {
+    const WallTriangle& w = triangles_[t];
+    const Vector3& a = mesh_.point(w.vertex[0]);
+    const Vector3& b = mesh_.point(w.vertex[1]);
+    const Vector3& c = mesh_.point(w.vertex[2]);
+    const Vector3 top = w.centre + w.reach * normalized(cross(b - a, c - a));
+    return std::clamp(quality(a, b, c, top), 0.0, 1.0);
+  }
+
   // By how far p lies beyond the reach of triangle t; not above 0 inside the region.
   double excess(const Vector3& p, Index t) const
   {
@@ -41,6 +56,13 @@ public:
     return distanceToTriangle(
              p, mesh_.point(w.vertex[0]), mesh_.point(w.vertex[1]), mesh_.point(w.vertex[2])) -
       w.reach;
+  }
+
+  // A lower bound of the excess, quickly.
+  double leastExcess(const Vector3& p, Index t) const
+  {
+    const WallTriangle& w = triangles_[t];
+    return distance(p, w.centre) - w.radius - w.reach;
   }
 
   // Walks over the wall from triangle t, whose excess is given, to where the excess is smallest.
@@ -53,11 +75,16 @@ public:
       {
         for (Index i = first_[v]; i < first_[v + 1]; ++i)
         {
-          const double there = excess(p, triangleAt_[i]);
+          const Index other = triangleAt_[i];
+          if (leastExcess(p, other) >= excessHere)
+          {
+            continue;
+          }
+          const double there = excess(p, other);
           if (there < excessHere)
           {
             excessHere = there;
-            t = triangleAt_[i];
+            t = other;
             moved = true;
           }
         }
@@ -79,7 +106,11 @@ private:
       const auto patch = static_cast<std::size_t>(face.patch);
       if (face.isAlive() && patch < plan.size() && plan[patch].hasLayers())
       {
-        triangles_.push_back({ mesh_.boundaryVertices(static_cast<Index>(b)), face.patch, 0 });
+        const auto v = mesh_.boundaryVertices(static_cast<Index>(b));
+        const Vector3 centre = (1.0 / 3) * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]));
+        const double radius = std::max({ distance(centre, mesh_.point(v[0])),
+          distance(centre, mesh_.point(v[1])), distance(centre, mesh_.point(v[2])) });
+        triangles_.push_back({ v, face.patch, 0, centre, radius });
       }
     }
   }
@@ -129,9 +160,14 @@ private:
     {
       heights.emplace_back(s);
     }
+    std::vector<double> sizes(mesh_.vertexCount(), 0);
+    for (std::size_t v = 0; v < sizes.size(); ++v)
+    {
+      sizes[v] = isWall(static_cast<Index>(v)) ? sizeAt(static_cast<Index>(v)) : 0;
+    }
     for (WallTriangle& t : triangles_)
     {
-      const double size = std::max({ sizeAt(t.vertex[0]), sizeAt(t.vertex[1]), sizeAt(t.vertex[2]) });
+      const double size = std::max({ sizes[t.vertex[0]], sizes[t.vertex[1]], sizes[t.vertex[2]] });
       const double thickness = limitedThickness(heights[t.patch], plan[t.patch].isotropicFraction, size);
       t.reach = thickness > 0 ? thickness + margin * size : 0;
     }
@@ -158,14 +194,20 @@ public:
 
   void run()
   {
+    std::vector<Index> start;
     for (std::size_t v = 0; v < mesh_.vertexCount(); ++v)
     {
       if (walls_.isWall(static_cast<Index>(v)))
       {
-        nearest_[v] = walls_.someTriangleAt(static_cast<Index>(v));
-        excess_[v] = -walls_.reach(nearest_[v]);
-        front_.push_back(static_cast<Index>(v));
+        start.push_back(static_cast<Index>(v));
       }
+    }
+    sortSpatially(mesh_.points(), start);
+    for (const Index v : start)
+    {
+      nearest_[v] = walls_.someTriangleAt(v);
+      excess_[v] = -walls_.reach(nearest_[v]);
+      front_.push_back(v);
     }
     while (!front_.empty())
     {
@@ -178,6 +220,7 @@ public:
   bool isInside(Index v) const { return excess_[v] <= 0; }
   double excess(Index v) const { return excess_[v]; }
   double reach(Index v) const { return walls_.reach(nearest_[v]); }
+  double attainableQuality(Index v) const { return walls_.attainableQuality(nearest_[v]); }
 
 private:
   void passOn(Index from)
@@ -199,6 +242,10 @@ private:
 
   void offer(Index v, Index triangle)
   {
+    if (walls_.leastExcess(mesh_.point(v), triangle) >= excess_[v])
+    {
+      return;
+    }
     double excess = walls_.excess(mesh_.point(v), triangle);
     if (excess >= excess_[v])
     {
@@ -266,6 +313,7 @@ LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classific
   LayerRegion region;
   region.isMarked.assign(mesh.vertexCount(), 0);
   region.reach.assign(mesh.vertexCount(), 0);
+  region.attainable.assign(mesh.vertexCount(), 1);
   for (std::size_t i = 0; i < mesh.vertexCount(); ++i)
   {
     const auto v = static_cast<Index>(i);
@@ -274,15 +322,10 @@ LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classific
       region.marked.push_back(v);
       region.isMarked[v] = 1;
       region.reach[v] = static_cast<float>(advance.reach(v));
+      region.attainable[v] = static_cast<float>(advance.attainableQuality(v));
     }
   }
-  std::sort(region.marked.begin(), region.marked.end(),
-    [&](Index a, Index b)
-    {
-      const double da = advance.excess(a) + advance.reach(a);
-      const double db = advance.excess(b) + advance.reach(b);
-      return da != db ? da < db : a < b;
-    });
+  sortSpatially(mesh.points(), region.marked);
   return region;
 }
 } // namespace ransmesh

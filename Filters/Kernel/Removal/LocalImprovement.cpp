@@ -94,7 +94,7 @@ bool LocalImprovement::swapFace(Index tet, int face)
 bool LocalImprovement::starBest(std::span<const Index> tets, std::span<const Index> apexes)
 {
   constexpr double worthwhile = 1.05;
-  cavity_.begin(tets, None);
+  cavity_.begin(tets, {});
   double floor = worthwhile * worstOf(tets);
   Index best = None;
   for (const Index apex : apexes)

@@ -1,6 +1,7 @@
 #include "Removal/PointRemoval.h"
 
 #include "Removal/LocalImprovement.h"
+#include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
 
 #include <algorithm>
@@ -14,14 +15,14 @@ namespace
 {
 // The limits of the passes: collapse first, then cavities, then less and less quality.
 constexpr RemovalLimits Passes[] = {
-  { 0.15, 0, false },
-  { 0.15, 6, true },
-  { 0.12, 20, true },
-  { 0.08, 20, true },
-  { 0.05, 20, true },
-  { 0.05, 30, true },
-  { 0.03, 30, true },
-  { 0.02, 40, true },
+  { 0.15, 0, 0, false },
+  { 0.12, 0, 0, true },
+  { 0.10, 0, 12, true },
+  { 0.10, 8, 0, true },
+  { 0.06, 0, 12, true },
+  { 0.05, 20, 12, true },
+  { 0.03, 20, 12, true },
+  { 0.02, 40, 12, true },
 };
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
@@ -35,6 +36,7 @@ public:
     , context_(context)
     , remover_(mesh, rules, region, cosine)
     , improvement_(mesh, rules)
+    , valence_(mesh, rules, cosine)
     , traversal_(mesh)
   {
   }
@@ -94,16 +96,33 @@ private:
       {
         continue;
       }
-      const RemovalVerdict verdict = remover_.remove(left[i], Passes[pass]);
+      const RemovalVerdict verdict = attempt(left[i], Passes[pass]);
       ++countOf(result.verdicts, verdict);
-      if (!region_.isMarked[left[i]])
-      {
-        made_.insert(made_.end(), remover_.made().begin(), remover_.made().end());
-      }
     }
     std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
     return true;
   }
+
+  RemovalVerdict attempt(Index v, RemovalLimits limits)
+  {
+    constexpr double least = 0.01;
+    limits.quality *= std::clamp(1.25 * region_.attainable[v], least, 1.0);
+    RemovalVerdict verdict = remover_.remove(v, limits);
+    RemovalLimits plain = limits;
+    plain.growth = 0;
+    for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(v, limits); ++cut)
+    {
+      note(valence_.made());
+      verdict = remover_.remove(v, plain);
+    }
+    if (!region_.isMarked[v])
+    {
+      note(remover_.made());
+    }
+    return verdict;
+  }
+
+  void note(const std::vector<Index>& made) { made_.insert(made_.end(), made.begin(), made.end()); }
 
   // Changes the surroundings of the points that would not go.
   void loosen(const std::vector<Index>& left, RemovalResult& result)
@@ -115,12 +134,12 @@ private:
       traversal_.ball(v, ball_);
       for (const Index t : ball_)
       {
-        constexpr double poor = 0.2;
+        constexpr double poor = 0.12;
         if (mesh_.tet(t).isAlive() && mesh_.tet(t).has(v) && qualityOf(mesh_, t) < poor &&
           improvement_.swap(t))
         {
           ++result.swaps;
-          made_.insert(made_.end(), improvement_.made().begin(), improvement_.made().end());
+          note(improvement_.made());
         }
       }
     }
@@ -129,26 +148,24 @@ private:
   // Swaps away the poor tetrahedra that removal made.
   void improve(RemovalResult& result)
   {
-    constexpr double poor = 0.2;
-    for (int round = 0; round < 3; ++round)
+    constexpr int rounds = 3;
+    constexpr double poor = 0.12;
+    std::sort(made_.begin(), made_.end());
+    made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
+    std::vector<Index> work = made_;
+    for (int round = 0; round < rounds && !work.empty(); ++round)
     {
-      std::sort(made_.begin(), made_.end());
-      made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
-      const std::vector<Index> now = made_;
-      std::size_t swaps = 0;
-      for (const Index t : now)
+      std::vector<Index> next;
+      for (const Index t : work)
       {
         if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < poor && improvement_.swap(t))
         {
-          ++swaps;
-          made_.insert(made_.end(), improvement_.made().begin(), improvement_.made().end());
+          ++result.swaps;
+          next.insert(next.end(), improvement_.made().begin(), improvement_.made().end());
         }
       }
-      result.swaps += swaps;
-      if (swaps == 0)
-      {
-        break;
-      }
+      note(next);
+      work.swap(next);
     }
   }
 
@@ -171,6 +188,7 @@ private:
   const Context& context_;
   VertexRemover remover_;
   LocalImprovement improvement_;
+  ValenceReduction valence_;
   Traversal traversal_;
   std::vector<Index> ball_;
   std::vector<Index> made_;

@@ -24,7 +24,7 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
   }
   traversal_.ball(v, ball_);
   collectApexes(v);
-  cavity_.begin(ball_, v);
+  cavity_.begin(ball_, { v });
   rankApexes(limits);
   RemovalVerdict verdict = RemovalVerdict::LowQuality;
   for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate)
@@ -110,6 +110,10 @@ void VertexRemover::rankApexes(const RemovalLimits& limits)
 {
   candidates_.clear();
   double floor = floorFor(limits);
+  if (limits.growth > 0)
+  {
+    keepPromisingApexes(floor);
+  }
   for (const Index apex : apexes_)
   {
     const double worst = worstFrom(apex, floor, limits);
@@ -119,6 +123,22 @@ void VertexRemover::rankApexes(const RemovalLimits& limits)
       floor = worst;
     }
   }
+}
+
+// Growing costs much: only for the apexes that the fewest faces see badly.
+void VertexRemover::keepPromisingApexes(double floor)
+{
+  constexpr std::size_t enough = 4;
+  ranking_.clear();
+  for (const Index apex : apexes_)
+  {
+    ranking_.push_back({ cavity_.countPoor(apex, floor), apex });
+  }
+  const std::size_t kept = std::min(enough, ranking_.size());
+  std::partial_sort(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ranking_.end());
+  apexes_.resize(kept);
+  std::transform(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), apexes_.begin(),
+    [](const auto& entry) { return entry.second; });
 }
 
 RemovalVerdict VertexRemover::tryApex(Index v, Index apex)

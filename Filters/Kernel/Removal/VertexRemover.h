@@ -5,21 +5,16 @@
 #include "Mesh/Traversal.h"
 #include "Removal/GrowingCavity.h"
 #include "Removal/LayerRegion.h"
+#include "Removal/RemovalLimits.h"
 #include "Removal/RemovalVerdict.h"
 #include "Removal/SurfaceStar.h"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ransmesh
 {
-struct RemovalLimits
-{
-  double quality = 0.15;  // no new tetrahedron may be worse
-  std::size_t growth = 0; // by how many tetrahedra a cavity may grow
-  bool orNoWorse = false; // where the ones that go are worse, no worse than these is enough
-};
-
 class VertexRemover
 {
 public:
@@ -47,6 +42,7 @@ private:
   void collectApexes(Index v);
   bool ridgeTurns(Index v) const;
   void rankApexes(const RemovalLimits& limits);
+  void keepPromisingApexes(double floor);
   double worstFrom(Index apex, double floor, const RemovalLimits& limits);
   RemovalVerdict tryApex(Index v, Index apex);
   bool losesOnlyMarked(Index v) const;
@@ -65,6 +61,7 @@ private:
   std::vector<Index> ball_;
   std::vector<Index> apexes_;
   std::vector<Candidate> candidates_;
+  std::vector<std::pair<std::size_t, Index>> ranking_; // poor faces, apex
   const std::vector<Index>* made_ = nullptr;
   std::size_t absorbed_ = 0;
 };
