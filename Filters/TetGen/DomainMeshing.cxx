@@ -6,6 +6,7 @@
 #include "Boundary/SurfaceSizes.h"
 #include "Mesh/Validation.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <set>
 
@@ -13,9 +14,14 @@ namespace ransmesh
 {
 namespace
 {
-// What each attempt adds to the switches. -Y keeps the surface's triangles; without it TetGen splits
-// wall triangles, and does not end on some good bodies (measured). -T: tolerance of coplanarity.
-constexpr const char* Attempts[] = { "Y", "YT1e-12", "YT1e-15", "T1e-12" };
+// The attempts, from the usual to the tolerant. -Y keeps the surface's triangles; without it TetGen splits
+// wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity.
+struct Variant
+{
+  const char* switches;
+  bool fullQuality; // as the user asked, else what TetGen reaches everywhere
+};
+constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-12", false } };
 
 Context within(const Context& context, double from, double to)
 {
@@ -165,14 +171,14 @@ public:
   {
   }
 
-  Outcome run(const std::string& variant, const Context& context, MeshingResult& result) const
+  Outcome run(const Variant& variant, const Context& context, MeshingResult& result) const
   {
     worker::Request request = describeDomain(surface_, box_);
     double begin = 0;
     if (box_ || mayHaveHoles(surface_))
     {
       begin = 0.2;
-      request.switches = "pA" + variant;
+      request.switches = std::string("pA") + variant.switches;
       worker::Result regions;
       Outcome outcome = worker_.run(request, within(context, 0, begin), regions);
       if (!outcome.ok())
@@ -184,9 +190,7 @@ public:
         request.holes.insert(request.holes.end(), { hole.x, hole.y, hole.z });
       }
     }
-    char quality[64];
-    std::snprintf(quality, sizeof quality, "pq%.6f/%.6f", options_.radiusEdgeRatio, options_.minimumDihedral);
-    request.switches = quality + variant;
+    request.switches = qualitySwitches(variant);
     describeSizes(surface_, options_.limits, request);
     worker::Result raw;
     Outcome outcome = worker_.run(request, within(context, begin, 0.9), raw);
@@ -199,6 +203,16 @@ public:
   }
 
 private:
+  std::string qualitySwitches(const Variant& variant) const
+  {
+    const double ratio =
+      variant.fullQuality ? options_.radiusEdgeRatio : std::max(2.0, options_.radiusEdgeRatio);
+    const double angle = variant.fullQuality ? options_.minimumDihedral : 0;
+    char text[80];
+    std::snprintf(text, sizeof text, "pq%.4g/%.4g%s", ratio, angle, variant.switches);
+    return text;
+  }
+
   Outcome accept(const worker::Result& raw, const Context& context, MeshingResult& result) const
   {
     context.report(0.9, "checking the mesh");
@@ -247,18 +261,22 @@ Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>&
   const Context& context, MeshingResult& result)
 {
   const Attempt attempt(surface, box, patches, options, worker);
-  Outcome first;
-  for (const char* variant : Attempts)
+  std::string failures;
+  Outcome outcome;
+  for (const Variant& variant : Variants)
   {
-    Outcome outcome = attempt.run(variant, context, result);
+    outcome = attempt.run(variant, context, result);
+    if (outcome.ok() && !failures.empty())
+    {
+      result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
+        result.switches + "; before:" + failures);
+    }
     if (outcome.ok() || outcome.kind == Outcome::Kind::Cancelled || !result.problems.empty())
     {
       return outcome;
     }
-    first = first.ok() ? outcome : first;
-    result.remarks.push_back(
-      std::string("TetGen with the switches ") + variant + " failed: " + outcome.message);
+    failures += "\n" + outcome.message;
   }
-  return first;
+  return outcome;
 }
 } // namespace ransmesh

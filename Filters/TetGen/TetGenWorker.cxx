@@ -84,6 +84,10 @@ std::string describe(const ProgramEnd& end, double timeLimit)
   {
     text = "the TetGen worker ran out of memory: ask for fewer elements";
   }
+  else if (end.status == worker::ExitEndless)
+  {
+    return "TetGen refined without end, as badly shaped surface triangles make it: remesh the surface";
+  }
   else if (end.status > worker::ExitTetGen && end.status <= worker::ExitTetGen + 10)
   {
     const int code = end.status - worker::ExitTetGen;

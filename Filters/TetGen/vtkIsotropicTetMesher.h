@@ -136,7 +136,7 @@ public:
 
   ///@{
   /**
-   * Seconds after which a run of TetGen is stopped and counts as failed; up to eight runs may follow each
+   * Seconds after which a run of TetGen is stopped and counts as failed; up to six runs may follow each
    * other. Default 0: no limit.
    */
   vtkSetMacro(WorkerTimeLimit, double);

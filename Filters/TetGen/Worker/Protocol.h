@@ -15,6 +15,7 @@ inline constexpr std::uint64_t Version = 0x52414e534d533031; // "RANSMS01"
 inline constexpr int ExitUsage = 2;
 inline constexpr int ExitUnreadable = 3;
 inline constexpr int ExitMemory = 4;
+inline constexpr int ExitEndless = 5; // refinement went far beyond the points that the sizes ask for
 inline constexpr int ExitTetGen = 20;
 // A line of the worker's output that starts so tells how many points the mesh has by now.
 inline constexpr const char* ProgressMark = "ransmesh points ";

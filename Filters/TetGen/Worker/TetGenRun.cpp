@@ -31,6 +31,47 @@ namespace
 // A tetrahedron is too large when its circumradius exceeds this times the wanted edge length. An
 // equilateral one has 0.61; with 0.8 the mean edge of a mesh is 0.97 of what was wanted (measured).
 constexpr double LargestCircumradius = 0.8;
+// A tetrahedron with an edge shorter than this times the wanted length is left to the quality measures:
+// at needles of the surface circumradii are large whatever is inserted.
+constexpr double ShortestEdge = 0.4;
+
+// How many points edges of length h take in a body, with sizes growing by `slope` around it.
+double pointsIn(double volume, double area, double h, double slope)
+{
+  return volume / (0.7 * h * h * h) + area / (h * h * slope);
+}
+
+// Far above what a sound mesh needs.
+double mostPoints(const Request& request)
+{
+  Vector3 low{ request.points[0], request.points[1], request.points[2] };
+  Vector3 high = low;
+  for (std::size_t i = 0; i < request.points.size(); ++i)
+  {
+    low[i % 3] = std::min(low[i % 3], request.points[i]);
+    high[i % 3] = std::max(high[i % 3], request.points[i]);
+  }
+  const double onSurface = static_cast<double>(request.points.size()) / 3;
+  double asked = onSurface * (1 + 1 / request.slope);
+  if (request.maximumSize > 0)
+  {
+    const Vector3 d = high - low;
+    asked += pointsIn(d.x * d.y * d.z, 0, request.maximumSize, request.slope);
+  }
+  const auto& b = request.boxSources;
+  for (std::size_t i = 0; i + 6 < b.size(); i += 7)
+  {
+    const Vector3 d{ b[i + 1] - b[i], b[i + 3] - b[i + 2], b[i + 5] - b[i + 4] };
+    asked += pointsIn(d.x * d.y * d.z, 2 * (d.x * d.y + d.y * d.z + d.z * d.x), b[i + 6], request.slope);
+  }
+  const auto& s = request.sphereSources;
+  for (std::size_t i = 0; i + 4 < s.size(); i += 5)
+  {
+    const double r = s[i + 3];
+    asked += pointsIn(4.2 * r * r * r, 12.6 * r * r, s[i + 4], request.slope);
+  }
+  return 2e4 + 5 * asked;
+}
 
 // The wanted size at mesh points. TetGen asks about tetrahedra by the addresses of their points, so
 // the size of each point is computed once and found again by address.
@@ -39,6 +80,7 @@ class PointCache
 public:
   explicit PointCache(const Request& request)
     : points_(pointsOf(request), request.slope)
+    , mostPoints_(mostPoints(request))
   {
     limits_.maximum = request.maximumSize;
     limits_.slope = request.slope;
@@ -88,9 +130,15 @@ private:
 
   void count()
   {
-    if (++seen_ % 20000 == 0)
+    if (std::fmod(++seen_, 20000) == 0)
     {
-      std::printf("%s%ld\n", ProgressMark, seen_);
+      std::printf("%s%.0f\n", ProgressMark, seen_);
+    }
+    if (seen_ > mostPoints_)
+    {
+      std::printf("refining does not end: %.0f points\n", seen_);
+      std::fflush(stdout);
+      std::_Exit(ExitEndless);
     }
   }
 
@@ -98,7 +146,8 @@ private:
   std::vector<Entry> entries_ = std::vector<Entry>(std::size_t(1) << Bits);
   SizeLimits limits_;
   PointSizes points_;
-  long seen_ = 0;
+  double mostPoints_;
+  double seen_ = 0;
 };
 
 // TetGen's callback has no place for data of the caller.
@@ -110,6 +159,12 @@ bool isTooLarge(double* a, double* b, double* c, double* d, double*, double)
   const Vector3 u{ a[0] - d[0], a[1] - d[1], a[2] - d[2] };
   const Vector3 v{ b[0] - d[0], b[1] - d[1], b[2] - d[2] };
   const Vector3 w{ c[0] - d[0], c[1] - d[1], c[2] - d[2] };
+  const double shortest2 =
+    std::min({ dot(u, u), dot(v, v), dot(w, w), dot(u - v, u - v), dot(v - w, v - w), dot(w - u, w - u) });
+  if (shortest2 < ShortestEdge * ShortestEdge * wanted * wanted)
+  {
+    return false;
+  }
   const Vector3 vw = cross(v, w);
   const double determinant = dot(u, vw);
   const Vector3 toCentre = dot(u, u) * vw + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
