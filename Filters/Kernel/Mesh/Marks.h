@@ -1,6 +1,7 @@
 // Marks on numbered things, cleared in constant time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,7 +18,11 @@ public:
     {
       stamp_.resize(size + size / 2, 0);
     }
-    ++current_;
+    if (++current_ == 0) // the stamps have been through: begin anew
+    {
+      std::fill(stamp_.begin(), stamp_.end(), 0);
+      current_ = 1;
+    }
   }
   bool test(std::size_t i) const { return stamp_[i] == current_; }
   void unset(std::size_t i) { stamp_[i] = current_ - 1; }
@@ -30,7 +35,7 @@ public:
   }
 
 private:
-  std::vector<std::uint64_t> stamp_;
-  std::uint64_t current_ = 1;
+  std::vector<std::uint32_t> stamp_;
+  std::uint32_t current_ = 1;
 };
 } // namespace ransmesh

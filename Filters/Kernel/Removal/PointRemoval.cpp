@@ -110,7 +110,11 @@ private:
     RemovalVerdict verdict = remover_.remove(v, limits);
     RemovalLimits plain = limits;
     plain.growth = 0;
-    for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(v, limits); ++cut)
+    if (limits.cuts > 0 && region_.isMarked[v])
+    {
+      valence_.begin(v, limits);
+    }
+    for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(); ++cut)
     {
       note(valence_.made());
       verdict = remover_.remove(v, plain);

@@ -5,16 +5,10 @@
 
 namespace ransmesh
 {
-bool ValenceReduction::cutEdge(Index v, const RemovalLimits& limits)
+void ValenceReduction::begin(Index v, const RemovalLimits& limits)
 {
-  collectCuts(v, limits);
-  std::stable_sort(
-    cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) { return a.quality > b.quality; });
-  return std::any_of(cuts_.begin(), cuts_.end(), [&](const Cut& cut) { return apply(v, cut); });
-}
-
-void ValenceReduction::collectCuts(Index v, const RemovalLimits& limits)
-{
+  vertex_ = v;
+  limits_ = limits;
   cuts_.clear();
   traversal_.ball(v, ball_);
   seen_.clear(mesh_.vertexCount());
@@ -25,30 +19,56 @@ void ValenceReduction::collectCuts(Index v, const RemovalLimits& limits)
     {
       if (seen_.set(end))
       {
-        considerEdge(t, v, end, limits);
+        cuts_.push_back(bestCut(t, end));
       }
     }
   }
 }
 
-// Begins the cavity with the ring of the edge (v, end); false if the edge must stay.
-bool ValenceReduction::beginAt(Index tet, Index v, Index end)
+bool ValenceReduction::cutEdge()
 {
-  if (rules_.classification.ridges.has(v, end))
+  for (;;)
+  {
+    const auto best = std::max_element(
+      cuts_.begin(), cuts_.end(), [](const Cut& a, const Cut& b) { return a.quality < b.quality; });
+    if (best == cuts_.end() || best->apex == None)
+    {
+      return false;
+    }
+    const Cut cut = *best;
+    cuts_.erase(best);
+    if (apply(cut))
+    {
+      lookAgain();
+      return true;
+    }
+  }
+}
+
+// A tetrahedron at the edge from the vertex to end, out of ball_.
+Index ValenceReduction::tetWith(Index end) const
+{
+  return *std::find_if(ball_.begin(), ball_.end(), [&](Index t) { return mesh_.tet(t).has(end); });
+}
+
+// Begins the cavity with the ring of the edge to end; false if the edge must stay.
+bool ValenceReduction::beginAt(Index tet, Index end)
+{
+  if (rules_.classification.ridges.has(vertex_, end))
   {
     return false;
   }
-  traversal_.ring(tet, v, end, ring_);
-  cavity_.begin(ring_, { v, end });
+  traversal_.ring(tet, vertex_, end, ring_);
+  cavity_.begin(ring_, { vertex_, end });
   const auto& starred = cavity_.cavity().starredFaces;
   return std::all_of(starred.begin(), starred.end(),
     [this](Index b) { return rules_.changeable[mesh_.boundaryFace(b).patch] != 0; });
 }
 
-double ValenceReduction::floorFor(const RemovalLimits& limits) const
+double ValenceReduction::floorFor() const
 {
-  double floor = limits.quality;
-  if (limits.orNoWorse)
+  double floor = limits_.quality;
+  if (limits_.orNoWorse)
   {
     for (const Index t : ring_)
     {
@@ -58,43 +78,42 @@ double ValenceReduction::floorFor(const RemovalLimits& limits) const
   return floor;
 }
 
-void ValenceReduction::considerEdge(Index tet, Index v, Index end, const RemovalLimits& limits)
+// What the edge from the vertex to end would best be replaced by.
+ValenceReduction::Cut ValenceReduction::bestCut(Index tet, Index end)
 {
-  if (!beginAt(tet, v, end))
+  constexpr std::size_t largestRing = 8;
+  Cut best{ end, None, -1 };
+  if (!beginAt(tet, end) || ring_.size() > largestRing)
   {
-    return;
+    return best;
   }
   apexes_.clear();
   for (const Index t : ring_)
   {
     for (const Index w : mesh_.tet(t).vertex)
     {
-      if (w != v && w != end && std::find(apexes_.begin(), apexes_.end(), w) == apexes_.end())
+      if (w != vertex_ && w != end && std::find(apexes_.begin(), apexes_.end(), w) == apexes_.end())
       {
         apexes_.push_back(w);
       }
     }
   }
-  Cut best{ end, None, floorFor(limits) };
+  double floor = floorFor();
   for (const Index apex : apexes_)
   {
-    const double worst = cavity_.worstFrom(apex, best.quality);
-    if (worst > best.quality && worst < std::numeric_limits<double>::infinity())
+    const double worst = cavity_.worstFrom(apex, floor);
+    if (worst > floor && worst < std::numeric_limits<double>::infinity())
     {
       best = { end, apex, worst };
+      floor = worst;
     }
   }
-  if (best.apex != None)
-  {
-    cuts_.push_back(best);
-  }
+  return best;
 }
 
-bool ValenceReduction::apply(Index v, const Cut& cut)
+bool ValenceReduction::apply(const Cut& cut)
 {
-  const auto first =
-    std::find_if(ball_.begin(), ball_.end(), [&](Index t) { return mesh_.tet(t).has(cut.end); });
-  beginAt(*first, v, cut.end);
+  beginAt(tetWith(cut.end), cut.end);
   const Cavity& cavity = cavity_.cavity();
   if (star_.check(cavity, cut.apex) != StarVerdict::Possible || !star_.lostVertices().empty())
   {
@@ -105,7 +124,28 @@ bool ValenceReduction::apply(Index v, const Cut& cut)
   {
     return false;
   }
+  seen_.clear(mesh_.vertexCount());
+  for (const Index t : ring_)
+  {
+    for (const Index w : mesh_.tet(t).vertex)
+    {
+      seen_.set(w);
+    }
+  }
   made_ = &star_.apply();
   return true;
+}
+
+// Judges the edges again whose rings have changed: those to the vertices of the ring, marked as seen.
+void ValenceReduction::lookAgain()
+{
+  traversal_.ball(vertex_, ball_);
+  for (Cut& cut : cuts_)
+  {
+    if (seen_.test(cut.end))
+    {
+      cut = bestCut(tetWith(cut.end), cut.end);
+    }
+  }
 }
 } // namespace ransmesh

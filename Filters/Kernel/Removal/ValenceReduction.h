@@ -24,9 +24,12 @@ public:
   {
   }
 
-  // Takes out the edge at v that leaves the best quality, within the limits of quality. Edges on the
-  // surface go only where the surface may change. The valence of v falls by one.
-  bool cutEdge(Index v, const RemovalLimits& limits);
+  // Turns to vertex v: looks at all its edges. Edges on the surface may go only where it may change.
+  void begin(Index v, const RemovalLimits& limits);
+  // Takes out the edge at v that leaves the best quality, within the limits of quality. The valence of v
+  // falls by one. False if no edge may go. Only the star of v may have changed since begin, and only by
+  // this.
+  bool cutEdge();
 
   // The tetrahedra made by the last successful cut.
   const std::vector<Index>& made() const { return *made_; }
@@ -35,15 +38,16 @@ private:
   struct Cut
   {
     Index end;
-    Index apex;
+    Index apex; // None: this edge may not go
     double quality;
   };
 
-  void collectCuts(Index v, const RemovalLimits& limits);
-  void considerEdge(Index tet, Index v, Index end, const RemovalLimits& limits);
-  double floorFor(const RemovalLimits& limits) const;
-  bool beginAt(Index tet, Index v, Index end);
-  bool apply(Index v, const Cut& cut);
+  Cut bestCut(Index tet, Index end);
+  bool beginAt(Index tet, Index end);
+  double floorFor() const;
+  bool apply(const Cut& cut);
+  Index tetWith(Index end) const;
+  void lookAgain();
 
   TetMesh& mesh_;
   const BoundaryRules& rules_;
@@ -55,7 +59,9 @@ private:
   std::vector<Index> ball_;
   std::vector<Index> ring_;
   std::vector<Index> apexes_;
-  std::vector<Cut> cuts_;
+  std::vector<Cut> cuts_; // one for each edge at vertex_
+  Index vertex_ = None;
+  RemovalLimits limits_;
   const std::vector<Index>* made_ = nullptr;
 };
 } // namespace ransmesh
