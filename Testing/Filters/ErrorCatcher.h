@@ -7,6 +7,7 @@
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <string>
 
@@ -14,6 +15,7 @@ class ErrorCatcher
 {
 public:
   explicit ErrorCatcher(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
   {
     this->Command->SetClientData(&this->Text);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
@@ -21,11 +23,20 @@ public:
     algorithm->AddObserver(vtkCommand::ErrorEvent, this->Command);
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
   }
+  ~ErrorCatcher()
+  {
+    this->Algorithm->RemoveObserver(this->Command);
+    this->Algorithm->GetExecutive()->RemoveObserver(this->Command);
+  }
+  ErrorCatcher(const ErrorCatcher&) = delete;
+  void operator=(const ErrorCatcher&) = delete;
+
   // All messages so far; empty if there was no error.
   const std::string& GetText() const { return this->Text; }
   bool Says(const char* phrase) const { return this->Text.find(phrase) != std::string::npos; }
 
 private:
+  vtkSmartPointer<vtkAlgorithm> Algorithm;
   vtkNew<vtkCallbackCommand> Command;
   std::string Text;
 };
