@@ -55,7 +55,11 @@ std::string percent(double share)
   {
     return "<0.001 %";
   }
-  return share < 1 && share > 0.99999 ? ">99.999 %" : format("%.5g %%", 100 * share);
+  if (share < 1 && share > 0.99999)
+  {
+    return ">99.999 %";
+  }
+  return format(share > 0.99 && share < 1 ? "%.3f %%" : "%.3g %%", 100 * share);
 }
 
 std::string more(std::size_t hidden)
