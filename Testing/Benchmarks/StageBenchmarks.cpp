@@ -76,6 +76,7 @@ void runRemoval(benchmark::State& state, Chain& chain)
     state.ResumeTiming();
   }
   setRate(state, "points/s", result.removed);
+  state.counters["marked"] = static_cast<double>(result.marked);
   state.counters["points"] = static_cast<double>(result.removed);
   state.counters["left"] = static_cast<double>(result.remaining.size());
   state.counters["tets"] = static_cast<double>(tets);

@@ -112,6 +112,7 @@ std::string sharesText(const QualityReport& report)
   const auto shares = [](const char* what, const ShapeSummary& shapes)
   {
     std::vector<std::string> values;
+    values.reserve(shapes.shareOver.size());
     for (const double share : shapes.shareOver)
     {
       values.push_back(percent(share));
@@ -119,6 +120,7 @@ std::string sharesText(const QualityReport& report)
     return row(what, values);
   };
   std::vector<std::string> limits;
+  limits.reserve(ShapeSummary::Limits.size());
   for (const double limit : ShapeSummary::Limits)
   {
     limits.push_back(format("%g", limit));
