@@ -18,11 +18,7 @@ std::vector<char> wallsOf(vtkUnstructuredGrid* grid, const LayerRequest& rules, 
   std::vector<char> isWall;
   if (const LayerPlan plan = readPlan(grid->GetFieldData()); useRecorded && !plan.empty())
   {
-    for (const LayerSpecification& specification : plan)
-    {
-      isWall.push_back(specification.hasLayers());
-    }
-    return isWall;
+    return wallsOf(plan);
   }
   MeshData mesh;
   PatchTable patches;
@@ -33,6 +29,16 @@ std::vector<char> wallsOf(vtkUnstructuredGrid* grid, const LayerRequest& rules, 
   return isWall;
 }
 } // namespace
+
+std::vector<char> wallsOf(const LayerPlan& plan)
+{
+  std::vector<char> isWall;
+  for (const LayerSpecification& specification : plan)
+  {
+    isWall.push_back(specification.hasLayers());
+  }
+  return isWall;
+}
 
 WallSelection::WallSelection() = default;
 
@@ -60,11 +66,14 @@ bool WallSelection::isOutdated(vtkUnstructuredGrid* grid, const LayerRequest& ru
 void WallSelection::offer(vtkUnstructuredGrid* grid, const LayerRequest& rules, bool useRecorded)
 {
   const PatchTable patches = readPatches(grid->GetFieldData());
-  if (patches.empty() || !this->isOutdated(grid, rules, useRecorded))
+  if (!patches.empty() && this->isOutdated(grid, rules, useRecorded))
   {
-    return;
+    this->offer(patches, wallsOf(grid, rules, useRecorded));
   }
-  const std::vector<char> isWall = wallsOf(grid, rules, useRecorded);
+}
+
+void WallSelection::offer(const PatchTable& patches, const std::vector<char>& isWall)
+{
   const auto chosen = this->choices();
   // None of this is the user's doing: it must not make the filter run again.
   while (selection_->GetNumberOfArrays() > 0)

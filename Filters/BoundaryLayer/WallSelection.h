@@ -17,6 +17,9 @@ class vtkUnstructuredGrid;
 
 namespace ransmesh
 {
+// Which patches a plan gives layers, by number.
+std::vector<char> wallsOf(const LayerPlan& plan);
+
 // What the rules say is offered; what differs from the offer was chosen by the user.
 class WallSelection
 {
@@ -26,8 +29,11 @@ public:
 
   vtkDataArraySelection* selection() const { return selection_; }
 
-  // Puts the grid's patches into the selection, those ticked that the rules, or the plan that the grid
-  // brings, make walls. What the user chose stays. Nothing happens for a grid without patches.
+  // Puts the patches into the selection, those ticked that are walls by number. What the user chose stays.
+  void offer(const PatchTable& patches, const std::vector<char>& isWall);
+
+  // The same for the grid's patches, where the walls are what the rules, or the plan that the grid brings,
+  // make of them. Nothing happens for a grid without patches.
   void offer(vtkUnstructuredGrid* grid, const LayerRequest& rules, bool useRecorded);
 
   // What the user chose, by the patches' names.

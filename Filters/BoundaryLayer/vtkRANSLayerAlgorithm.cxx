@@ -150,15 +150,25 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& me
   const std::vector<ransmesh::Patch>& patches, vtkFieldData* recorded,
   std::vector<ransmesh::LayerSpecification>& plan) const
 {
-  if (this->UsesRecordedPlan())
+  const ransmesh::LayerPlan before =
+    this->UsesRecordedPlan() ? ransmesh::readPlan(recorded) : ransmesh::LayerPlan();
+  const bool isRecorded = before.size() == patches.size();
+  std::vector<char> walls = ransmesh::wallsOf(before);
+  ransmesh::LayerRequest request = this->MakeRequest();
+  if (isRecorded)
   {
-    plan = ransmesh::readPlan(recorded);
-    if (plan.size() == patches.size())
-    {
-      return this->AdaptRecorded(patches, plan);
-    }
+    plan = before;
   }
-  return ransmesh::planLayers(mesh, patches, this->MakeRequest(), plan);
+  else
+  {
+    ransmesh::LayerRequest rules = request;
+    rules.choices.clear();
+    ransmesh::findWalls(mesh, patches, rules, walls); // its errors come again from planLayers
+  }
+  ransmesh::Outcome outcome =
+    isRecorded ? this->AdaptRecorded(patches, plan) : ransmesh::planLayers(mesh, patches, request, plan);
+  this->Rules->Walls.offer(patches, walls);
+  return outcome;
 }
 
 int vtkRANSLayerAlgorithm::Refuse(const ransmesh::Outcome& outcome)
