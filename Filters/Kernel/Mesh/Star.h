@@ -82,7 +82,7 @@ private:
   bool someGluedToNothing() const;
   void findLostVertices(Index apex);
   HalfFace createdSide(const EdgeUse& use) const;
-  void join(const EdgeUse& a, const EdgeUse& b);
+  void join(const EdgeUse& first, const EdgeUse& second);
 
   TetMesh& mesh_;
   Marks inCavity_;
