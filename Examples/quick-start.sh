@@ -11,6 +11,8 @@ sh Filters/CMake/install-debian-packages.sh
 cmake --preset quick-start
 cmake --build --preset quick-start
 
+build=build/quick-start
 mkdir -p "$folder"
 "$build/bin/nosecone-surface" "$folder/nosecone.vtp"
-xvfb-run -a build/quick-start/bin/ransmesh-nosecone-demo "$folder"
+PYTHONPATH="$build/lib/python3/dist-packages" xvfb-run -a \
+  /usr/bin/python3 -B Examples/Python/nosecone.py "$folder"
