@@ -4,7 +4,6 @@
 #include "Boundary/Classification.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/TetMesh.h"
-#include "Support/Context.h"
 
 #include <vector>
 

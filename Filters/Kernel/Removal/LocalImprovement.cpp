@@ -139,11 +139,26 @@ bool LocalImprovement::move(Index v, double keep)
     return false;
   }
   traversal_.ball(v, tets_);
+  return moveOnto(v, meanNeighbour(v), keep * worstOf(tets_));
+}
+
+bool LocalImprovement::moveTowards(Index v, const Vector3& place, double floor)
+{
+  if (rules_.classification.kind[v] != VertexKind::Volume)
+  {
+    return false;
+  }
+  traversal_.ball(v, tets_);
+  return moveOnto(v, place, std::min(floor, 0.999 * worstOf(tets_)));
+}
+
+// Moves v, whose ball is in tets_, as far towards the place as leaves all qualities above wanted.
+bool LocalImprovement::moveOnto(Index v, const Vector3& place, double wanted)
+{
   const Vector3 from = mesh_.point(v);
-  const Vector3 step = meanNeighbour(v) - from;
-  const double wanted = keep * worstOf(tets_);
+  const Vector3 step = place - from;
   constexpr double shortest = 0.1;
-  for (double fraction = 1; fraction > shortest; fraction *= 0.5)
+  for (double fraction = 0.9; fraction > shortest; fraction *= 0.6)
   {
     mesh_.movePoint(v, from + fraction * step);
     if (worstOf(tets_) > wanted)

@@ -29,6 +29,10 @@ public:
   // quality around it less than keep times what it was.
   bool move(Index v, double keep);
 
+  // Moves a vertex of the volume towards a place, as far as the qualities around it stay above floor, or
+  // above what they were where that is less.
+  bool moveTowards(Index v, const Vector3& place, double floor);
+
   // The tetrahedra made by the last successful swap.
   const std::vector<Index>& made() const { return *made_; }
 
@@ -39,6 +43,7 @@ private:
   bool ringIsClosed(Index a, Index b) const;
   double worstOf(std::span<const Index> tets) const;
   Vector3 meanNeighbour(Index v) const;
+  bool moveOnto(Index v, const Vector3& place, double wanted);
 
   TetMesh& mesh_;
   const BoundaryRules& rules_;

@@ -23,6 +23,9 @@ constexpr RemovalLimits Passes[] = {
   { 0.05, 20, 12, true },
   { 0.03, 20, 12, true },
   { 0.02, 40, 12, true },
+  { 0.02, 40, 40, true },
+  { 0.02, 40, 40, true },
+  { 0.02, 40, 40, true },
 };
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
@@ -49,7 +52,7 @@ public:
     {
       if (pass >= 2)
       {
-        loosen(left, result);
+        loosen(left, pass, result);
       }
       if (!removeAll(left, pass, result))
       {
@@ -96,17 +99,24 @@ private:
       {
         continue;
       }
-      const RemovalVerdict verdict = attempt(left[i], Passes[pass]);
+      const RemovalVerdict verdict = attempt(left[i], limitsAt(left[i], pass));
       ++countOf(result.verdicts, verdict);
     }
     std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
     return true;
   }
 
-  RemovalVerdict attempt(Index v, RemovalLimits limits)
+  // The limits of a pass at a point: no better quality is asked for than the walls allow.
+  RemovalLimits limitsAt(Index v, int pass) const
   {
     constexpr double least = 0.01;
+    RemovalLimits limits = Passes[pass];
     limits.quality *= std::clamp(1.25 * region_.attainable[v], least, 1.0);
+    return limits;
+  }
+
+  RemovalVerdict attempt(Index v, const RemovalLimits& limits)
+  {
     RemovalVerdict verdict = remover_.remove(v, limits);
     RemovalLimits plain = limits;
     plain.growth = 0;
@@ -128,13 +138,23 @@ private:
 
   void note(const std::vector<Index>& made) { made_.insert(made_.end(), made.begin(), made.end()); }
 
+  // Moves v to where it would best be collapsed to, as far as it comes.
+  bool driveToApex(Index v, int pass)
+  {
+    constexpr double share = 0.2; // of the pass's limit: swaps mend it, or the next collapse
+    const RemovalLimits limits = limitsAt(v, pass);
+    const Index apex = remover_.nearestApex(v, limits);
+    return improvement_.moveTowards(v, mesh_.point(apex), share * limits.quality);
+  }
+
   // Changes the surroundings of the points that would not go.
-  void loosen(const std::vector<Index>& left, RemovalResult& result)
+  void loosen(const std::vector<Index>& left, int pass, RemovalResult& result)
   {
     constexpr double keep = 0.5;
+    const bool drive = pass >= 5;
     for (const Index v : left)
     {
-      result.movements += improvement_.move(v, keep);
+      result.movements += drive ? driveToApex(v, pass) : improvement_.move(v, keep);
       traversal_.ball(v, ball_);
       for (const Index t : ball_)
       {

@@ -66,12 +66,11 @@ bool SurfaceStar::meetsSurfaceAgain(std::span<const Index> faces, Index apex)
   return false;
 }
 
-RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Index vanishing)
+// The edges between two of the faces vanish, the others are the rim.
+RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
 {
-  collectEdges(faces);
   newEnds_.clear();
-  std::vector<Index>& ends = newEnds_;
-  std::vector<Index> rimAtApex;
+  rimAtApex_.clear();
   for (std::size_t i = 0; i < edges_.size(); ++i)
   {
     const EdgeUse& edge = edges_[i];
@@ -85,22 +84,34 @@ RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Inde
         return RemovalVerdict::RidgeLost;
       }
       ++i;
-      continue;
     }
-    if (edge.low == apex || edge.high == apex)
+    else if (edge.low == apex || edge.high == apex)
     {
-      rimAtApex.push_back(edge.low == apex ? edge.high : edge.low);
-      continue;
+      rimAtApex_.push_back(edge.low == apex ? edge.high : edge.low);
     }
-    if (turnsTooFar(edge, apex))
+    else if (turnsTooFar(edge, apex))
     {
       return RemovalVerdict::SurfaceTurned;
     }
-    ends.push_back(edge.low);
-    ends.push_back(edge.high);
+    else
+    {
+      newEnds_.push_back(edge.low);
+      newEnds_.push_back(edge.high);
+    }
   }
-  std::erase_if(
-    ends, [&](Index v) { return std::find(rimAtApex.begin(), rimAtApex.end(), v) != rimAtApex.end(); });
+  return RemovalVerdict::Collapsed;
+}
+
+RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Index vanishing)
+{
+  collectEdges(faces);
+  const RemovalVerdict verdict = judgeEdges(apex, vanishing);
+  if (verdict != RemovalVerdict::Collapsed)
+  {
+    return verdict;
+  }
+  std::erase_if(newEnds_,
+    [this](Index v) { return std::find(rimAtApex_.begin(), rimAtApex_.end(), v) != rimAtApex_.end(); });
   return meetsSurfaceAgain(faces, apex) ? RemovalVerdict::SurfaceTurned : RemovalVerdict::Collapsed;
 }
 } // namespace ransmesh

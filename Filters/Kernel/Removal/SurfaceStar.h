@@ -23,9 +23,9 @@ public:
   {
   }
 
-  // May these boundary faces be replaced by triangles from their rim to the apex? vanishing is the
-  // vertex that is to go, or None: of a ridge that ends... only its own ridge edges may vanish.
-  // Collapsed, RidgeLost or SurfaceTurned.
+  // May these boundary faces be replaced by triangles from their rim to the apex? Of the ridge edges
+  // between them only those at the vertex vanishing (None: no vertex) may go.
+  // Collapsed: they may. RidgeLost, SurfaceTurned: why not.
   RemovalVerdict judge(std::span<const Index> faces, Index apex, Index vanishing);
 
 private:
@@ -39,6 +39,7 @@ private:
 
   void collectEdges(std::span<const Index> faces);
   bool turnsTooFar(const EdgeUse& rim, Index apex) const;
+  RemovalVerdict judgeEdges(Index apex, Index vanishing);
   bool meetsSurfaceAgain(std::span<const Index> faces, Index apex);
 
   const TetMesh& mesh_;
@@ -46,7 +47,8 @@ private:
   double cosine_;
   Traversal traversal_;
   std::vector<EdgeUse> edges_;
-  std::vector<Index> newEnds_; // vertices that the new edges join to the apex
+  std::vector<Index> newEnds_;   // vertices that new edges join to the apex
+  std::vector<Index> rimAtApex_; // vertices that edges of the rim join to it already
   std::vector<Index> ball_;
 };
 } // namespace ransmesh

@@ -22,9 +22,7 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
   {
     return RemovalVerdict::SurfaceTurned;
   }
-  traversal_.ball(v, ball_);
-  collectApexes(v);
-  cavity_.begin(ball_, { v });
+  begin(v);
   rankApexes(limits);
   RemovalVerdict verdict = RemovalVerdict::LowQuality;
   for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate)
@@ -38,6 +36,20 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
     }
   }
   return verdict;
+}
+
+void VertexRemover::begin(Index v)
+{
+  traversal_.ball(v, ball_);
+  collectApexes(v);
+  cavity_.begin(ball_, { v });
+}
+
+Index VertexRemover::nearestApex(Index v, const RemovalLimits& limits)
+{
+  begin(v);
+  keepPromisingApexes(floorFor(limits), 1);
+  return apexes_.front();
 }
 
 void VertexRemover::collectApexes(Index v)
@@ -112,7 +124,8 @@ void VertexRemover::rankApexes(const RemovalLimits& limits)
   double floor = floorFor(limits);
   if (limits.growth > 0)
   {
-    keepPromisingApexes(floor);
+    constexpr std::size_t enough = 4; // growing costs much
+    keepPromisingApexes(floor, enough);
   }
   for (const Index apex : apexes_)
   {
@@ -125,10 +138,9 @@ void VertexRemover::rankApexes(const RemovalLimits& limits)
   }
 }
 
-// Growing costs much: only for the apexes that the fewest faces see badly.
-void VertexRemover::keepPromisingApexes(double floor)
+// Keeps only the apexes that the fewest faces see badly.
+void VertexRemover::keepPromisingApexes(double floor, std::size_t enough)
 {
-  constexpr std::size_t enough = 4;
   ranking_.clear();
   for (const Index apex : apexes_)
   {

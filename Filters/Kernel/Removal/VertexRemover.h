@@ -26,6 +26,9 @@ public:
   // valid before and after.
   RemovalVerdict remove(Index v, const RemovalLimits& limits);
 
+  // The neighbour to which v could go if the fewest tetrahedra gave way.
+  Index nearestApex(Index v, const RemovalLimits& limits);
+
   // Marked points that went with others' cavities.
   std::size_t absorbed() const { return absorbed_; }
   // The tetrahedra made by the last successful removal.
@@ -38,11 +41,12 @@ private:
     double floor; // that it was judged with
   };
 
+  void begin(Index v);
   double floorFor(const RemovalLimits& limits) const;
   void collectApexes(Index v);
   bool ridgeTurns(Index v) const;
   void rankApexes(const RemovalLimits& limits);
-  void keepPromisingApexes(double floor);
+  void keepPromisingApexes(double floor, std::size_t enough);
   double worstFrom(Index apex, double floor, const RemovalLimits& limits);
   RemovalVerdict tryApex(Index v, Index apex);
   bool losesOnlyMarked(Index v) const;

@@ -1,0 +1,215 @@
+#include "Removal/PointRemoval.h"
+
+#include "Boundary/Classification.h"
+#include "Support/GridMesh.h"
+#include "Support/Invariants.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace
+{
+using namespace ransmesh;
+using grid_mesh::XHigh;
+using grid_mesh::XLow;
+using grid_mesh::ZHigh;
+using grid_mesh::ZLow;
+
+LayerPlan planWith(double thickness, const std::set<int>& walls)
+{
+  LayerPlan plan(7);
+  for (const int wall : walls)
+  {
+    plan[wall].firstHeight = thickness / 10;
+    plan[wall].growthRate = 1;
+    plan[wall].numberOfLayers = 10;
+  }
+  return plan;
+}
+
+// The triangles of a patch, each by its corners' places.
+std::set<std::array<double, 9>> trianglesOf(const MeshData& mesh, int patch)
+{
+  std::set<std::array<double, 9>> found;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (mesh.trianglePatch[i] == patch)
+    {
+      auto t = mesh.triangles[i];
+      std::sort(t.begin(), t.end(),
+        [&](Index a, Index b)
+        {
+          const Vector3& p = mesh.points[a];
+          const Vector3& q = mesh.points[b];
+          return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+        });
+      std::array<double, 9> places;
+      for (int j = 0; j < 3; ++j)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          places[3 * j + k] = mesh.points[t[j]][k];
+        }
+      }
+      found.insert(places);
+    }
+  }
+  return found;
+}
+
+class PointRemoval : public testing::Test
+{
+protected:
+  RemovalResult remove(const MeshData& data, const LayerPlan& plan, const Context& context = {})
+  {
+    before_ = data;
+    mesh_ = invariants::build(data);
+    const RemovalResult result = removePoints(mesh_, patches_, plan, {}, context);
+    invariants::expectValid(mesh_);
+    after_ = toMeshData(mesh_);
+    invariants::expectKept(before_, after_);
+    EXPECT_EQ(result.removed + result.remaining.size(), result.marked);
+    EXPECT_EQ(before_.points.size() - after_.points.size(), result.removed);
+    return result;
+  }
+
+  PatchTable patches_ = grid_mesh::patches(PatchType::Symmetry);
+  MeshData before_;
+  TetMesh mesh_;
+  MeshData after_;
+};
+
+TEST_F(PointRemoval, EmptiesTheRegionOverAPlate)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    const RemovalResult result =
+      remove(grid_mesh::make({ 12, 12, 12, {}, 0.2, seed }), planWith(0.2, { ZLow }));
+    EXPECT_TRUE(result.outcome.ok());
+    EXPECT_GT(result.marked, 300u);
+    EXPECT_TRUE(result.remaining.empty()) << result.text();
+    EXPECT_GT(result.worstQualityAfter, 0.02);
+    EXPECT_EQ(trianglesOf(before_, ZLow), trianglesOf(after_, ZLow));
+    for (const Vector3& p : after_.points)
+    {
+      EXPECT_TRUE(p.z == 0 || p.z > 0.2);
+    }
+  }
+}
+
+TEST_F(PointRemoval, WorksInAnyDirection)
+{
+  const RemovalResult result =
+    remove(grid_mesh::make({ 10, 10, 10, grid_mesh::turned, 0.2 }), planWith(0.25, { ZLow }));
+  EXPECT_GT(result.marked, 200u);
+  EXPECT_LE(result.remaining.size() * 200, result.marked) << result.text();
+  EXPECT_EQ(trianglesOf(before_, ZLow), trianglesOf(after_, ZLow));
+}
+
+TEST_F(PointRemoval, ClearsCornersBetweenWalls)
+{
+  const RemovalResult result =
+    remove(grid_mesh::make({ 10, 10, 10, {}, 0.2 }), planWith(0.15, { XLow, ZLow }));
+  EXPECT_LE(result.remaining.size() * 200, result.marked) << result.text();
+  EXPECT_EQ(trianglesOf(before_, XLow), trianglesOf(after_, XLow));
+  EXPECT_EQ(trianglesOf(before_, ZLow), trianglesOf(after_, ZLow));
+}
+
+TEST_F(PointRemoval, LeavesOnlyTheWallsInAGapThatLayersFill)
+{
+  const auto flat = [](const Vector3& p) { return Vector3{ p.x, p.y, 0.3 * p.z }; };
+  const RemovalResult result =
+    remove(grid_mesh::make({ 10, 10, 4, flat, 0.15 }), planWith(0.2, { ZLow, ZHigh }));
+  EXPECT_LE(result.remaining.size() * 100, result.marked) << result.text();
+}
+
+TEST_F(PointRemoval, KeepsInterfacesAsTheyAre)
+{
+  patches_[XLow].type = PatchType::Interface;
+  patches_[XHigh].type = PatchType::Interface;
+  const RemovalResult result = remove(grid_mesh::make({ 10, 10, 10, {}, 0.2 }), planWith(0.2, { ZLow }));
+  EXPECT_GT(result.removed, 0u);
+  EXPECT_EQ(trianglesOf(before_, XLow), trianglesOf(after_, XLow));
+  EXPECT_EQ(trianglesOf(before_, XHigh), trianglesOf(after_, XHigh));
+}
+
+TEST_F(PointRemoval, DoesNothingForThinLayers)
+{
+  const RemovalResult result = remove(grid_mesh::make({ 10, 10, 10, {}, 0.1 }), planWith(1e-3, { ZLow }));
+  EXPECT_TRUE(result.outcome.ok());
+  EXPECT_EQ(result.marked, 0u);
+  EXPECT_EQ(after_.points, before_.points);
+  EXPECT_EQ(after_.tetrahedra, before_.tetrahedra);
+}
+
+TEST_F(PointRemoval, GivesTheSameMeshEveryTime)
+{
+  const MeshData data = grid_mesh::make({ 8, 8, 8, {}, 0.2 });
+  remove(data, planWith(0.3, { ZLow, XLow }));
+  const MeshData first = after_;
+  remove(data, planWith(0.3, { ZLow, XLow }));
+  EXPECT_EQ(first.points, after_.points);
+  EXPECT_EQ(first.tetrahedra, after_.tetrahedra);
+  EXPECT_EQ(first.triangles, after_.triangles);
+}
+
+TEST_F(PointRemoval, DoesNotTurnCurvedSurfacesTooFar)
+{
+  // The side y = 0 bulges strongly: its points may not go where that would flatten it.
+  const auto bulge = [](const Vector3& p) {
+    return Vector3{ p.x, p.y - 0.4 * (1 - p.y) * 4 * p.x * (1 - p.x), p.z };
+  };
+  const MeshData data = grid_mesh::make({ 6, 6, 10, bulge, 0.1 });
+  TetMesh mesh = invariants::build(data);
+  const RemovalResult result = removePoints(mesh, patches_, planWith(0.25, { ZLow }), {}, {});
+  invariants::expectValid(mesh);
+  const auto areas = invariants::patchAreas(toMeshData(mesh));
+  for (const auto& [patch, area] : invariants::patchAreas(data))
+  {
+    EXPECT_NEAR(areas.at(patch), area, 0.02 * area) << "patch " << patch << ", " << result.text();
+  }
+}
+
+TEST_F(PointRemoval, StopsOnRequestAndLeavesAValidMesh)
+{
+  int asked = 0;
+  Context context;
+  context.cancelled = [&asked]() { return ++asked > 1; };
+  const RemovalResult result =
+    remove(grid_mesh::make({ 12, 12, 12, {}, 0.2 }), planWith(0.3, { ZLow }), context);
+  EXPECT_EQ(result.outcome.kind, Outcome::Kind::Cancelled);
+}
+
+TEST_F(PointRemoval, ReportsProgressUpward)
+{
+  double last = 0;
+  bool upward = true;
+  Context context;
+  context.progress = [&](double fraction, const char*)
+  {
+    upward = upward && fraction >= last && fraction <= 1;
+    last = fraction;
+  };
+  remove(grid_mesh::make({ 12, 12, 12, {}, 0.2 }), planWith(0.3, { ZLow }), context);
+  EXPECT_TRUE(upward);
+  EXPECT_GT(last, 0);
+}
+
+TEST_F(PointRemoval, RefusesPatchesWithoutARow)
+{
+  TetMesh mesh = invariants::build(grid_mesh::make({ 2, 2, 2 }));
+  const RemovalResult result = removePoints(mesh, { { "fluid", PatchType::Patch } }, LayerPlan(1), {}, {});
+  EXPECT_EQ(result.outcome.kind, Outcome::Kind::BadInput);
+  EXPECT_FALSE(result.outcome.message.empty());
+}
+
+TEST(RemovalVerdict, EachHasAName)
+{
+  for (int i = 0; i < static_cast<int>(RemovalVerdict::Count); ++i)
+  {
+    EXPECT_STRNE(nameOf(static_cast<RemovalVerdict>(i)), "unknown");
+  }
+}
+} // namespace
