@@ -62,7 +62,12 @@ vtkSmartPointer<vtkPolyData> readOne(const std::string& path)
   {
     readByVtk<vtkXMLPolyDataReader>(content, stemOf(path), surface);
   }
-  return surface.finish();
+  vtkSmartPointer<vtkPolyData> data = surface.finish();
+  if (data->GetNumberOfPolys() == 0)
+  {
+    throw std::runtime_error("has no triangles or polygons, or is damaged");
+  }
+  return data;
 }
 
 vtkStringArray* namesOf(vtkPolyData* data)

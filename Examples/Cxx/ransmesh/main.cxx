@@ -85,7 +85,6 @@ int mesh(const Options& options)
   std::string error;
   try
   {
-    checkFiles(options);
     chain = std::make_unique<Chain>(options, surfaces::readSurfaces(options.surfaces));
     chain->run();
     printWarnings(options, *chain);
@@ -128,11 +127,17 @@ int main(int count, char* words[])
       std::fputs(options.help ? helpText().c_str() : "ransmesh " RANSMESHING_VERSION "\n", stdout);
       return Done;
     }
+    checkFiles(options);
     return mesh(options);
   }
   catch (const UsageError& error)
   {
     printError(std::string(error.what()) + " (ransmesh --help tells the options)");
     return WrongUsage;
+  }
+  catch (const std::runtime_error& error) // of checkFiles
+  {
+    printError(error.what());
+    return CannotMesh;
   }
 }
