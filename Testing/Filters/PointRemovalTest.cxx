@@ -1,0 +1,218 @@
+#include "vtkRANSPointRemoval.h"
+
+#include "ErrorCatcher.h"
+#include "MeshConversion.h"
+#include "Support/GridMesh.h"
+
+#include "Mesh/Validation.h"
+#include "Support/DataContract.h"
+
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+namespace contract = ransmesh::contract;
+using grid_mesh::ZLow;
+
+constexpr double Thickness = 0.2;
+
+class PointRemovalFilter : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    ransmesh::PatchTable table = grid_mesh::patches(ransmesh::PatchType::Symmetry);
+    table[ZLow] = { "plate", ransmesh::PatchType::Wall };
+    ransmesh::writeMesh(grid_mesh::make({ 8, 8, 8, {}, 0.1 }), table, this->Plate);
+    this->Filter->SetInputData(this->Plate);
+    this->Filter->SetFirstHeight(Thickness / 10);
+    this->Filter->SetGrowthRate(1);
+    this->Filter->SetNumberOfLayers(10);
+  }
+
+  ransmesh::MeshData Read(vtkUnstructuredGrid* grid)
+  {
+    ransmesh::MeshData mesh;
+    ransmesh::PatchTable patches;
+    EXPECT_TRUE(ransmesh::readMesh(grid, mesh, patches).ok());
+    return mesh;
+  }
+
+  void ExpectRefusal(const char* phrase)
+  {
+    ErrorCatcher errors(this->Filter);
+    this->Filter->Update();
+    EXPECT_TRUE(errors.Says(phrase)) << errors.GetText();
+    EXPECT_EQ(this->Filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+
+  // A copy of the plate with one value of a kind that it should not have.
+  void GivePoint(vtkIdType i, double x, double y, double z)
+  {
+    this->Plate->GetPoints()->SetPoint(i, x, y, z);
+    this->Plate->Modified();
+  }
+
+  vtkNew<vtkUnstructuredGrid> Plate;
+  vtkNew<vtkRANSPointRemoval> Filter;
+};
+} // namespace
+
+TEST_F(PointRemovalFilter, EmptiesTheRegionAndGivesAValidMesh)
+{
+  ErrorCatcher errors(this->Filter);
+  this->Filter->Update();
+  EXPECT_EQ(errors.GetText(), "");
+  vtkUnstructuredGrid* output = this->Filter->GetOutput();
+  const auto faults = ransmesh::findFaults(this->Read(output));
+  EXPECT_TRUE(faults.none()) << faults.text();
+  EXPECT_GT(this->Filter->GetNumberOfMarkedPoints(), 100);
+  EXPECT_GE(this->Filter->GetNumberOfRemovedPoints(), this->Filter->GetNumberOfMarkedPoints() - 1);
+  EXPECT_EQ(
+    this->Plate->GetNumberOfPoints() - output->GetNumberOfPoints(), this->Filter->GetNumberOfRemovedPoints());
+  auto* patch = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray(contract::PatchId));
+  ASSERT_TRUE(patch);
+  for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+  {
+    EXPECT_EQ(output->GetCellType(c) == VTK_TETRA, patch->GetValue(c) == 0);
+  }
+}
+
+TEST_F(PointRemovalFilter, DoesNothingForThinLayers)
+{
+  this->Filter->SetFirstHeight(1e-6);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetNumberOfMarkedPoints(), 0);
+  EXPECT_EQ(this->Read(this->Filter->GetOutput()).tetrahedra, this->Read(this->Plate).tetrahedra);
+}
+
+TEST_F(PointRemovalFilter, KeepsPointDataWhereThePointsAre)
+{
+  vtkNew<vtkDoubleArray> number;
+  number->SetName("Number");
+  for (vtkIdType i = 0; i < this->Plate->GetNumberOfPoints(); ++i)
+  {
+    number->InsertNextValue(static_cast<double>(i));
+  }
+  this->Plate->GetPointData()->AddArray(number);
+  this->Filter->Update();
+  vtkUnstructuredGrid* output = this->Filter->GetOutput();
+  auto* kept = output->GetPointData()->GetArray("Number");
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->GetNumberOfTuples(), output->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double now[3];
+    double then[3];
+    output->GetPoint(i, now);
+    this->Plate->GetPoint(static_cast<vtkIdType>(kept->GetTuple1(i)), then);
+    if (now[2] == 0 || now[2] > 2 * Thickness) // points between may have been moved
+    {
+      EXPECT_EQ(now[0], then[0]);
+      EXPECT_EQ(now[1], then[1]);
+      EXPECT_EQ(now[2], then[2]);
+    }
+  }
+}
+
+TEST_F(PointRemovalFilter, PassesFieldDataAndRecordsTheLayers)
+{
+  vtkNew<vtkIntArray> remark;
+  remark->SetName("Remark");
+  remark->InsertNextValue(42);
+  this->Plate->GetFieldData()->AddArray(remark);
+  this->Filter->Update();
+  vtkFieldData* fieldData = this->Filter->GetOutput()->GetFieldData();
+  EXPECT_TRUE(fieldData->GetArray("Remark"));
+  EXPECT_TRUE(fieldData->GetAbstractArray(contract::PatchNames));
+  auto* layers = fieldData->GetArray(contract::LayersNumber);
+  ASSERT_TRUE(layers);
+  EXPECT_EQ(layers->GetTuple1(ZLow), 10);
+  EXPECT_EQ(layers->GetTuple1(ZLow + 1), 0);
+}
+
+TEST_F(PointRemovalFilter, GivesTheSameMeshTwice)
+{
+  this->Filter->Update();
+  const ransmesh::MeshData first = this->Read(this->Filter->GetOutput());
+  this->Filter->Modified();
+  this->Filter->Update();
+  const ransmesh::MeshData second = this->Read(this->Filter->GetOutput());
+  EXPECT_EQ(first.points, second.points);
+  EXPECT_EQ(first.tetrahedra, second.tetrahedra);
+}
+
+TEST_F(PointRemovalFilter, RunsOnItsOwnOutput)
+{
+  this->Filter->Update();
+  vtkNew<vtkRANSPointRemoval> again;
+  again->SetInputConnection(this->Filter->GetOutputPort());
+  ErrorCatcher errors(again);
+  again->Update();
+  EXPECT_EQ(errors.GetText(), "");
+  EXPECT_LE(again->GetNumberOfMarkedPoints(), 1);
+}
+
+TEST_F(PointRemovalFilter, RefusesAnEmptyInput)
+{
+  vtkNew<vtkUnstructuredGrid> nothing;
+  this->Filter->SetInputData(nothing);
+  this->ExpectRefusal("empty");
+}
+
+TEST_F(PointRemovalFilter, RefusesHexahedra)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint(i & 1, i >> 1 & 1, i >> 2);
+  }
+  grid->SetPoints(points);
+  const vtkIdType corners[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+  grid->InsertNextCell(VTK_HEXAHEDRON, 8, corners);
+  this->Filter->SetInputData(grid);
+  this->ExpectRefusal("VTK type 12");
+}
+
+TEST_F(PointRemovalFilter, RefusesCoordinatesThatAreNotFinite)
+{
+  this->GivePoint(100, vtkMath::Nan(), 0, 0);
+  this->ExpectRefusal("not finite");
+}
+
+TEST_F(PointRemovalFilter, RefusesAFoldedMesh)
+{
+  this->GivePoint(4 * 81 + 4 * 9 + 4, 0.9, 0.9, 0.9); // from the middle to a corner
+  this->ExpectRefusal("not positive");
+}
+
+TEST_F(PointRemovalFilter, RefusesImpossibleLayers)
+{
+  this->Filter->SetFirstHeight(0);
+  this->ExpectRefusal("FirstHeight");
+  this->Filter->SetFirstHeight(-1);
+  this->ExpectRefusal("first height");
+  this->Filter->SetFirstHeight(5);
+  this->ExpectRefusal("extent");
+  this->Filter->SetFirstHeight(1e-3);
+  this->Filter->SetGrowthRate(0.5);
+  this->ExpectRefusal("growth rate");
+}
+
+TEST_F(PointRemovalFilter, RefusesWallsThatAreNotThere)
+{
+  this->Filter->AddWallPatch("wing");
+  this->ExpectRefusal("wing");
+}
