@@ -15,13 +15,14 @@ namespace ransmesh
 namespace
 {
 // The attempts, from the usual to the tolerant. -Y keeps the surface's triangles; without it TetGen splits
-// wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity.
+// wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity. -D1:
+// no points are inserted; the last resort where refining does not end.
 struct Variant
 {
   const char* switches;
-  bool fullQuality; // as the user asked, else what TetGen reaches everywhere
+  bool refines;
 };
-constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-12", false } };
+constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-12D1", false } };
 
 Context within(const Context& context, double from, double to)
 {
@@ -171,7 +172,7 @@ public:
   {
   }
 
-  Outcome run(const Variant& variant, const Context& context, MeshingResult& result) const
+  TetGenEnd run(const Variant& variant, const Context& context, MeshingResult& result) const
   {
     worker::Request request = describeDomain(surface_, box_);
     double begin = 0;
@@ -180,10 +181,10 @@ public:
       begin = 0.2;
       request.switches = std::string("pA") + variant.switches;
       worker::Result regions;
-      Outcome outcome = worker_.run(request, within(context, 0, begin), regions);
-      if (!outcome.ok())
+      TetGenEnd end = worker_.run(request, within(context, 0, begin), regions);
+      if (!end.outcome.ok())
       {
-        return outcome;
+        return end;
       }
       for (const Vector3& hole : findHoles(regions))
       {
@@ -193,23 +194,21 @@ public:
     request.switches = qualitySwitches(variant);
     describeSizes(surface_, options_.limits, request);
     worker::Result raw;
-    Outcome outcome = worker_.run(request, within(context, begin, 0.9), raw);
-    if (!outcome.ok())
+    TetGenEnd end = worker_.run(request, within(context, begin, 0.9), raw);
+    if (!end.outcome.ok())
     {
-      return outcome;
+      return end;
     }
     result.switches = request.switches;
-    return accept(raw, context, result);
+    return { accept(raw, context, result) };
   }
 
 private:
   std::string qualitySwitches(const Variant& variant) const
   {
-    const double ratio =
-      variant.fullQuality ? options_.radiusEdgeRatio : std::max(2.0, options_.radiusEdgeRatio);
-    const double angle = variant.fullQuality ? options_.minimumDihedral : 0;
     char text[80];
-    std::snprintf(text, sizeof text, "pq%.4g/%.4g%s", ratio, angle, variant.switches);
+    std::snprintf(text, sizeof text, "pq%.4g/%.4g%s", options_.radiusEdgeRatio, options_.minimumDihedral,
+      variant.switches);
     return text;
   }
 
@@ -262,21 +261,27 @@ Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>&
 {
   const Attempt attempt(surface, box, patches, options, worker);
   std::string failures;
-  Outcome outcome;
+  TetGenEnd end;
   for (const Variant& variant : Variants)
   {
-    outcome = attempt.run(variant, context, result);
-    if (outcome.ok() && !failures.empty())
+    if (end.endless && variant.refines)
     {
-      result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
-        result.switches + "; before:" + failures);
+      continue;
     }
-    if (outcome.ok() || outcome.kind == Outcome::Kind::Cancelled || !result.problems.empty())
+    end = attempt.run(variant, context, result);
+    if (end.outcome.ok() || end.outcome.kind == Outcome::Kind::Cancelled || !result.problems.empty())
     {
-      return outcome;
+      break;
     }
-    failures += "\n" + outcome.message;
+    failures += "\n" + end.outcome.message;
   }
-  return outcome;
+  if (end.outcome.ok() && !failures.empty())
+  {
+    result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
+      result.switches +
+      (result.switches.ends_with("D1") ? " (without refining: sizes and quality are poor)" : "") +
+      "; before:" + failures);
+  }
+  return end.outcome;
 }
 } // namespace ransmesh

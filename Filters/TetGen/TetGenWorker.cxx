@@ -101,32 +101,32 @@ std::string describe(const ProgramEnd& end, double timeLimit)
 }
 } // namespace
 
-Outcome TetGenWorker::run(worker::Request& request, const Context& context, worker::Result& result) const
+TetGenEnd TetGenWorker::run(worker::Request& request, const Context& context, worker::Result& result) const
 {
   const TemporaryFolder folder;
   const std::string requestFile = folder.file("request");
   const std::string resultFile = folder.file("result");
   if (!folder.ok() || !worker::save(request, requestFile))
   {
-    return Outcome::internalFault("cannot write temporary files: set TMPDIR to a folder with free space");
+    return { Outcome::internalFault("cannot write temporary files: set TMPDIR to a folder with free space") };
   }
   const auto pointsBefore = static_cast<double>(request.points.size() / 3);
   const auto onLine = [&](const std::string& line) { reportLine(line, pointsBefore, context); };
   const ProgramEnd end = runProgram({ program_, requestFile, resultFile }, timeLimit_, context, onLine);
   if (end.kind == ProgramEnd::Kind::Cancelled)
   {
-    return Outcome::cancelled();
+    return { Outcome::cancelled() };
   }
   if (end.kind != ProgramEnd::Kind::Done)
   {
-    return Outcome::badInput(describe(end, timeLimit_));
+    return { Outcome::badInput(describe(end, timeLimit_)), end.status == worker::ExitEndless };
   }
   if (!worker::load(result, resultFile))
   {
-    return Outcome::internalFault("the TetGen worker '" + program_ +
+    return { Outcome::internalFault("the TetGen worker '" + program_ +
       "' left no readable result: is it of the same version as this library?" +
-      (end.lastWords.empty() ? "" : " Its last words:\n" + end.lastWords));
+      (end.lastWords.empty() ? "" : " Its last words:\n" + end.lastWords)) };
   }
-  return Outcome::done();
+  return { Outcome::done() };
 }
 } // namespace ransmesh

@@ -10,6 +10,12 @@
 
 namespace ransmesh
 {
+struct TetGenEnd
+{
+  Outcome outcome = {};
+  bool endless = false; // it failed because refining did not end: the surface has badly shaped triangles
+};
+
 class TetGenWorker
 {
 public:
@@ -22,7 +28,7 @@ public:
 
   // Whatever TetGen does, this returns. Progress in the context goes from 0 to 1, by TetGen's phases.
   // The outcome is Cancelled, or BadInput with TetGen's last words.
-  Outcome run(worker::Request& request, const Context& context, worker::Result& result) const;
+  TetGenEnd run(worker::Request& request, const Context& context, worker::Result& result) const;
 
 private:
   std::string program_;

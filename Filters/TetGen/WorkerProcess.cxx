@@ -11,6 +11,7 @@ namespace ransmesh
 namespace
 {
 using Clock = std::chrono::steady_clock;
+constexpr double AskEvery = 0.1; // seconds
 
 struct DeleteProcess
 {
@@ -119,12 +120,13 @@ ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
   const ProcessPointer process = start(command);
   const auto began = Clock::now();
   Lines lines(onLine);
+  double asked = 0; // when the context was asked last
   auto killed = ProgramEnd::Kind::Done;
   for (;;)
   {
     char* data = nullptr;
     int length = 0;
-    double wait = 0.1;
+    double wait = AskEvery;
     const int pipe = vtksysProcess_WaitForData(process.get(), &data, &length, &wait);
     if (pipe == vtksysProcess_Pipe_STDOUT || pipe == vtksysProcess_Pipe_STDERR)
     {
@@ -135,6 +137,11 @@ ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
       break;
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
+    if (seconds < asked + AskEvery)
+    {
+      continue;
+    }
+    asked = seconds;
     killed = context.stopped()               ? ProgramEnd::Kind::Cancelled
       : timeLimit > 0 && seconds > timeLimit ? ProgramEnd::Kind::TimedOut
                                              : ProgramEnd::Kind::Done;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <memory>
 
 #ifndef TETLIBRARY
@@ -81,6 +82,7 @@ public:
   explicit PointCache(const Request& request)
     : points_(pointsOf(request), request.slope)
     , mostPoints_(mostPoints(request))
+    , givenPoints_(static_cast<double>(request.points.size()) / 3)
   {
     limits_.maximum = request.maximumSize;
     limits_.slope = request.slope;
@@ -107,6 +109,23 @@ public:
       count();
     }
     return entry.size;
+  }
+
+  // To be called at each question of TetGen: ends the process when refining hardly gets on, as it happens
+  // among needles, where each point that is tried reaches through much of the mesh.
+  void watch()
+  {
+    if (++questions_ % 1024 != 0)
+    {
+      return;
+    }
+    constexpr double patience = 30;  // seconds of processor time
+    constexpr double leastRate = 50; // points a second; sound meshes take 20000
+    const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    if (seconds > patience && seen_ - givenPoints_ < leastRate * seconds)
+    {
+      giveUp();
+    }
   }
 
 private:
@@ -136,10 +155,15 @@ private:
     }
     if (seen_ > mostPoints_)
     {
-      std::printf("refining does not end: %.0f points\n", seen_);
-      std::fflush(stdout);
-      std::_Exit(ExitEndless);
+      giveUp();
     }
+  }
+
+  [[noreturn]] void giveUp() const
+  {
+    std::printf("refining does not end: %.0f points\n", seen_);
+    std::fflush(stdout);
+    std::_Exit(ExitEndless);
   }
 
   static constexpr int Bits = 21;
@@ -147,7 +171,9 @@ private:
   SizeLimits limits_;
   PointSizes points_;
   double mostPoints_;
+  double givenPoints_;
   double seen_ = 0;
+  long questions_ = 0;
 };
 
 // TetGen's callback has no place for data of the caller.
