@@ -78,7 +78,7 @@ std::vector<EdgeUse> sortedEdges(const TetMesh& mesh)
       const auto v = mesh.boundaryVertices(b);
       for (int j = 0; j < 3; ++j)
       {
-        edges.push_back({std::min(v[j], v[(j + 1) % 3]), std::max(v[j], v[(j + 1) % 3]), b});
+        edges.push_back({ std::min(v[j], v[(j + 1) % 3]), std::max(v[j], v[(j + 1) % 3]), b });
       }
     }
   }
@@ -121,7 +121,8 @@ struct FacesAtVertices
   std::vector<std::size_t> start;
   std::vector<Index> face;
 
-  explicit FacesAtVertices(const TetMesh& mesh) : start(mesh.vertexCount() + 1, 0)
+  explicit FacesAtVertices(const TetMesh& mesh)
+    : start(mesh.vertexCount() + 1, 0)
   {
     forEach(mesh, [this](Index v, Index) { ++start[v + 1]; });
     for (std::size_t v = 1; v < start.size(); ++v)
@@ -132,7 +133,7 @@ struct FacesAtVertices
     std::vector<std::size_t> next(start.begin(), start.end() - 1);
     forEach(mesh, [&](Index v, Index b) { face[next[v]++] = b; });
   }
-  std::span<const Index> at(Index v) const { return {face.data() + start[v], face.data() + start[v + 1]}; }
+  std::span<const Index> at(Index v) const { return { face.data() + start[v], face.data() + start[v + 1] }; }
 
 private:
   template <class Visit>

@@ -58,7 +58,7 @@ struct Classification
 
   std::span<const int> patchesAt(Index v) const
   {
-    return {patchIds.data() + patchStart[v], patchIds.data() + patchStart[v + 1]};
+    return { patchIds.data() + patchStart[v], patchIds.data() + patchStart[v + 1] };
   }
 };
 

@@ -31,7 +31,7 @@ struct Grid
   int ny = 6;
   int nz = 6;
   std::function<Vector3(const Vector3&)> map = {}; // of the unit cube; none: the cube itself
-  double jitter = 0;                          // of inner points, in cells
+  double jitter = 0;                               // of inner points, in cells
   unsigned seed = 1;
 };
 
