@@ -38,7 +38,8 @@ inline int orientation(const Vector3& a, const Vector3& b, const Vector3& c, con
   const double vxuy = v.x * u.y;
   const double determinant = u.z * (vxwy - wxvy) + v.z * (wxuy - uxwy) + w.z * (uxvy - vxuy);
   const double permanent = (std::fabs(vxwy) + std::fabs(wxvy)) * std::fabs(u.z) +
-    (std::fabs(wxuy) + std::fabs(uxwy)) * std::fabs(v.z) + (std::fabs(uxvy) + std::fabs(vxuy)) * std::fabs(w.z);
+    (std::fabs(wxuy) + std::fabs(uxwy)) * std::fabs(v.z) +
+    (std::fabs(uxvy) + std::fabs(vxuy)) * std::fabs(w.z);
   constexpr double bound = 7.771561172376103e-16; // (7 + 56 eps) eps, eps = 2^-53
   if (determinant > bound * permanent)
   {
