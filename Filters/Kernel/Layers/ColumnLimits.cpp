@@ -12,6 +12,8 @@ namespace ransmesh
 namespace
 {
 constexpr double LargestSlope = 1.0;
+// Rays lean by a thousandth into an odd direction, so that they do not run along the mesh's own edges.
+constexpr Vector3 RayLean{ 0.00053, -0.00031, 0.00079 };
 
 // Follows a ray from a vertex through the mesh.
 class RayWalk
@@ -160,7 +162,8 @@ void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFract
     }
     const double scale = norm(c.direction);
     const double reach = set.thickness(c) * scale / gapFraction;
-    const double free = walk.freeDistance(c.vertex, (1 / scale) * c.direction, reach);
+    const Vector3 ray = normalized((1 / scale) * c.direction + RayLean);
+    const double free = walk.freeDistance(c.vertex, ray, reach);
     if (free < reach)
     {
       c.limit(levelBelow(set, c, gapFraction * free / scale), StopReason::Gap);

@@ -1,0 +1,148 @@
+#include "Layers/ColumnBuilder.h"
+
+#include "Mesh/Builder.h"
+#include "Support/GridMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace ransmesh;
+using namespace grid_mesh;
+
+namespace
+{
+struct Columns
+{
+  TetMesh mesh;
+  ColumnSet set;
+
+  Columns(const MeshData& data, const PatchTable& patches, const std::vector<int>& walls)
+  {
+    EXPECT_TRUE(buildTetMesh(data, mesh).ok());
+    LayerPlan plan(patches.size());
+    for (const int wall : walls)
+    {
+      plan[wall].firstHeight = 1e-3;
+      plan[wall].numberOfLayers = 5;
+    }
+    const BoundaryStars stars(mesh);
+    set = buildColumns(mesh, stars, patches, plan);
+  }
+
+  const Column* at(const Vector3& x) const
+  {
+    for (const Column& c : set.columns)
+    {
+      if (distance(c.base, x) < 1e-12)
+      {
+        return &c;
+      }
+    }
+    return nullptr;
+  }
+};
+
+void expectVector(const Vector3& is, const Vector3& wanted)
+{
+  EXPECT_NEAR(is.x, wanted.x, 1e-12);
+  EXPECT_NEAR(is.y, wanted.y, 1e-12);
+  EXPECT_NEAR(is.z, wanted.z, 1e-12);
+}
+} // namespace
+
+TEST(ColumnBuilder, APlaneWallHasItsNormal)
+{
+  const Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow });
+  EXPECT_EQ(columns.set.columns.size(), 25u);
+  const Column* inner = columns.at({ 0.5, 0.5, 0 });
+  ASSERT_TRUE(inner);
+  expectVector(inner->direction, { 0, 0, 1 });
+  EXPECT_EQ(inner->sides[0], 0);
+  EXPECT_EQ(inner->levels, 5);
+  EXPECT_GT(inner->size, 0.25);
+  EXPECT_LT(inner->size, 0.36);
+}
+
+TEST(ColumnBuilder, AColumnAtASymmetryPlaneStaysInIt)
+{
+  const Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  expectVector(edge->direction, { 0, 0, 1 });
+  EXPECT_TRUE(edge->staysIn(XLow));
+  EXPECT_FALSE(edge->staysIn(ZLow));
+  const Column* corner = columns.at({ 1, 1, 0 });
+  ASSERT_TRUE(corner);
+  expectVector(corner->direction, { 0, 0, 1 });
+  EXPECT_TRUE(corner->staysIn(XHigh));
+  EXPECT_TRUE(corner->staysIn(YHigh));
+}
+
+TEST(ColumnBuilder, ASlantedSideLeansTheColumnButKeepsTheHeight)
+{
+  // The side x = 0 leans outward by 45 degrees: its column has to run along it.
+  const auto lean = [](const Vector3& p) { return Vector3{ p.x - (1 - p.x) * p.z, p.y, p.z }; };
+  const Columns columns(make({ 4, 4, 4, lean }), patches(PatchType::Symmetry), { ZLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->levels, 5);
+  expectVector(edge->direction, { -1, 0, 1 });
+}
+
+TEST(ColumnBuilder, AConcaveEdgeHasOneColumnAlongTheBisector)
+{
+  const Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow, XLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  expectVector(edge->direction, { 1, 0, 1 }); // rises by one above either wall
+  EXPECT_EQ(edge->levels, 5);
+}
+
+TEST(ColumnBuilder, AnAcuteSideLeavesNoColumn)
+{
+  // The side x = 0 leans inward so far that fluid fills a wedge of ten degrees.
+  const double slope = std::tan(10 * M_PI / 180);
+  const auto wedge = [slope](const Vector3& p) { return Vector3{ p.x, p.y, p.z * (0.001 + slope * p.x) }; };
+  const Columns columns(make({ 4, 4, 4, wedge }), patches(PatchType::Wall), { ZLow, ZHigh, XLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  EXPECT_GT(norm(edge->direction), 0);
+}
+
+TEST(ColumnBuilder, AnInterfaceFreezesItsPoints)
+{
+  PatchTable table = patches(PatchType::Symmetry);
+  table[XLow].type = PatchType::Interface;
+  const Columns columns(make({ 4, 4, 4 }), table, { ZLow });
+  EXPECT_EQ(columns.at({ 0, 0.5, 0 })->levels, 0);
+  EXPECT_EQ(columns.at({ 0, 0.5, 0 })->reason, StopReason::Frozen);
+  EXPECT_EQ(columns.at({ 0.25, 0.5, 0 })->levels, 5);
+}
+
+TEST(ColumnBuilder, ACurvedSideStopsTheColumn)
+{
+  const auto bulge = [](const Vector3& p) {
+    return Vector3{ p.x, p.y - 0.3 * (1 - p.y) * std::sin(M_PI * p.x), p.z };
+  };
+  const Columns columns(make({ 4, 4, 4, bulge }), patches(PatchType::Symmetry), { ZLow });
+  EXPECT_EQ(columns.at({ 0.5, -0.3, 0 })->reason, StopReason::CurvedSide);
+  EXPECT_EQ(columns.at({ 0.5, 1, 0 })->reason, StopReason::Complete);
+}
+
+TEST(ColumnBuilder, FacesWhoseColumnsDisagreeLoseThem)
+{
+  Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow });
+  // As if one end of an edge saw a side where the other sees ground to stand on.
+  for (Column& c : columns.set.columns)
+  {
+    if (distance(c.base, { 0, 0.5, 0 }) < 1e-12)
+    {
+      c.sides = { 0, 0 };
+    }
+  }
+  settleDisagreements(columns.mesh, columns.set);
+  EXPECT_EQ(columns.at({ 0, 0.5, 0 })->levels, 0);
+  EXPECT_EQ(columns.at({ 0, 0.25, 0 })->levels, 0);
+  EXPECT_EQ(columns.at({ 0.5, 0.5, 0 })->levels, 5);
+}

@@ -1,0 +1,103 @@
+#include "Layers/ColumnLimits.h"
+
+#include "Layers/ColumnBuilder.h"
+#include "Mesh/Builder.h"
+#include "Support/GridMesh.h"
+
+#include <gtest/gtest.h>
+
+using namespace ransmesh;
+using namespace grid_mesh;
+
+namespace
+{
+// A channel of the given height between two walls, with columns on the lower one.
+struct Channel
+{
+  TetMesh mesh;
+  LayerPlan plan;
+  ColumnSet set;
+
+  explicit Channel(double height, int cells = 3)
+    : plan(7)
+  {
+    const auto map = [height](const Vector3& p) { return Vector3{ p.x, p.y, height * p.z }; };
+    EXPECT_TRUE(buildTetMesh(make({ 6, 6, cells, map }), mesh).ok());
+    plan[ZLow].firstHeight = 0.01;
+    plan[ZLow].growthRate = 1;
+    plan[ZLow].numberOfLayers = 20;
+    set = buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry), plan);
+  }
+  const Column& middle() const
+  {
+    for (const Column& c : set.columns)
+    {
+      if (distance(c.base, { 0.5, 0.5, 0 }) < 1e-12)
+      {
+        return c;
+      }
+    }
+    throw std::logic_error("no column in the middle");
+  }
+};
+} // namespace
+
+TEST(ColumnLimits, LevelBelowIsTheHighestThatFits)
+{
+  const Channel channel(1);
+  EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.0999), 9);
+  EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.1001), 10);
+  EXPECT_EQ(levelBelow(channel.set, channel.middle(), 5), 20);
+  EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.001), 0);
+}
+
+TEST(ColumnLimits, NoSpacingAboveThePartOfTheIsotropicSize)
+{
+  Channel channel(1);
+  channel.plan[ZLow].growthRate = 1.5;
+  channel.set =
+    buildColumns(channel.mesh, BoundaryStars(channel.mesh), patches(PatchType::Symmetry), channel.plan);
+  limitByIsotropicSize(channel.plan, channel.set);
+  const Column& c = channel.middle();
+  EXPECT_EQ(c.reason, StopReason::IsotropicSize);
+  const LayerHeights& heights = channel.set.heightsOf(c);
+  EXPECT_LE(heights.spacing(c.levels), 0.7 * c.size);
+  EXPECT_GT(heights.spacing(c.levels + 1), 0.7 * c.size);
+}
+
+TEST(ColumnLimits, TheGapIsMeasuredThroughTheMesh)
+{
+  for (const int cells : { 1, 3, 7 })
+  {
+    Channel channel(0.3, cells);
+    limitByGap(channel.mesh, BoundaryStars(channel.mesh), 0.3, channel.set);
+    EXPECT_EQ(channel.middle().levels, 9) << cells; // 0.3 of 0.3 in steps of 0.01, all but rounding
+    EXPECT_EQ(channel.middle().reason, StopReason::Gap);
+  }
+}
+
+TEST(ColumnLimits, AWideChannelDoesNotLimit)
+{
+  Channel channel(1);
+  limitByGap(channel.mesh, BoundaryStars(channel.mesh), 0.3, channel.set);
+  EXPECT_EQ(channel.middle().levels, 20);
+}
+
+TEST(ColumnLimits, NeighboursOfALowColumnStepDown)
+{
+  Channel channel(1);
+  for (Column& c : channel.set.columns)
+  {
+    if (distance(c.base, { 0, 0, 0 }) < 1e-12)
+    {
+      c.limit(0, StopReason::Corner);
+    }
+  }
+  limitBySlope(channel.mesh, BoundaryStars(channel.mesh), channel.set);
+  for (const Column& c : channel.set.columns)
+  {
+    EXPECT_LE(channel.set.thickness(c), std::max(std::abs(c.base.x), std::abs(c.base.y)) * 1.42 + 1e-9);
+    EXPECT_EQ(c.reason == StopReason::Transition, c.levels < 20 && c.levels > 0);
+  }
+  EXPECT_EQ(channel.middle().levels, 20);
+}
