@@ -260,6 +260,13 @@ Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>&
   const Context& context, MeshingResult& result)
 {
   const Attempt attempt(surface, box, patches, options, worker);
+  double reached = 0; // progress does not fall back when an attempt begins anew
+  Context steady = context;
+  steady.progress = [&](double fraction, const char* phase)
+  {
+    reached = std::max(reached, fraction);
+    context.report(reached, phase);
+  };
   std::string failures;
   TetGenEnd end;
   for (const Variant& variant : Variants)
@@ -268,7 +275,7 @@ Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>&
     {
       continue;
     }
-    end = attempt.run(variant, context, result);
+    end = attempt.run(variant, steady, result);
     if (end.outcome.ok() || end.outcome.kind == Outcome::Kind::Cancelled || !result.problems.empty())
     {
       break;

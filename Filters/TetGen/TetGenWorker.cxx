@@ -31,22 +31,29 @@ constexpr std::array<Phase, 7> Phases = { {
 constexpr double RefiningBegins = 0.20;
 constexpr double RefiningEnds = 0.85;
 
+// What the context was told last, to tell it again while TetGen is silent: that lets a user's interface act.
+struct Progress
+{
+  double fraction = 0;
+  const char* phase = "meshing";
+};
+
 // The final number of points is not known: progress nears the end of the phase as points come in.
-void reportLine(const std::string& line, double pointsBefore, const Context& context)
+void readLine(const std::string& line, double pointsBefore, Progress& progress)
 {
   if (line.rfind(worker::ProgressMark, 0) == 0)
   {
     const double points = std::strtod(line.c_str() + std::strlen(worker::ProgressMark), nullptr);
     const double added = std::max(0.0, points - pointsBefore);
     const double share = added / (added + 2 * pointsBefore + 1);
-    context.report(RefiningBegins + share * (RefiningEnds - RefiningBegins), "refining");
+    progress = { RefiningBegins + share * (RefiningEnds - RefiningBegins), "refining" };
     return;
   }
   for (const Phase& phase : Phases)
   {
     if (line.rfind(phase.line, 0) == 0)
     {
-      context.report(phase.fraction, phase.name);
+      progress = { phase.fraction, phase.name };
     }
   }
 }
@@ -111,8 +118,14 @@ TetGenEnd TetGenWorker::run(worker::Request& request, const Context& context, wo
     return { Outcome::internalFault("cannot write temporary files: set TMPDIR to a folder with free space") };
   }
   const auto pointsBefore = static_cast<double>(request.points.size() / 3);
-  const auto onLine = [&](const std::string& line) { reportLine(line, pointsBefore, context); };
-  const ProgramEnd end = runProgram({ program_, requestFile, resultFile }, timeLimit_, context, onLine);
+  Progress progress;
+  const auto onLine = [&](const std::string& line) { readLine(line, pointsBefore, progress); };
+  const auto mustStop = [&]
+  {
+    context.report(progress.fraction, progress.phase);
+    return context.stopped();
+  };
+  const ProgramEnd end = runProgram({ program_, requestFile, resultFile }, timeLimit_, mustStop, onLine);
   if (end.kind == ProgramEnd::Kind::Cancelled)
   {
     return { Outcome::cancelled() };

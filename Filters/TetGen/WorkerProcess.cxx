@@ -114,8 +114,8 @@ ProgramEnd describe(vtksysProcess* process)
 }
 } // namespace
 
-ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit, const Context& context,
-  const std::function<void(const std::string&)>& onLine)
+ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
+  const std::function<bool()>& mustStop, const std::function<void(const std::string&)>& onLine)
 {
   const ProcessPointer process = start(command);
   const auto began = Clock::now();
@@ -142,7 +142,7 @@ ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
       continue;
     }
     asked = seconds;
-    killed = context.stopped()               ? ProgramEnd::Kind::Cancelled
+    killed = mustStop()                      ? ProgramEnd::Kind::Cancelled
       : timeLimit > 0 && seconds > timeLimit ? ProgramEnd::Kind::TimedOut
                                              : ProgramEnd::Kind::Done;
     if (killed != ProgramEnd::Kind::Done)

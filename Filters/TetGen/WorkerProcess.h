@@ -1,8 +1,6 @@
 // Running a program under supervision.
 #pragma once
 
-#include "Support/Context.h"
-
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,7 +13,7 @@ struct ProgramEnd
   {
     Done,      // it ended by itself with status 0
     Failed,    // it could not be started, crashed, or ended with another status
-    Cancelled, // killed, as the context asked for
+    Cancelled, // killed, as mustStop asked for
     TimedOut   // killed at the time limit
   };
   Kind kind = Kind::Failed;
@@ -24,9 +22,9 @@ struct ProgramEnd
   std::string lastWords; // the last lines that it printed
 };
 
-// Runs the command (program, arguments) and gives each line that it prints to onLine. Asks the context
-// ten times a second whether to stop. timeLimit in seconds, 0: none. The program and its children are
+// Runs the command (program, arguments) and gives each line that it prints to onLine. Asks mustStop ten times
+// a second. timeLimit in seconds, 0: none. The program and its children are
 // gone when this returns.
-ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit, const Context& context,
-  const std::function<void(const std::string&)>& onLine);
+ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
+  const std::function<bool()>& mustStop, const std::function<void(const std::string&)>& onLine);
 } // namespace ransmesh

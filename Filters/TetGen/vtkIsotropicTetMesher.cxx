@@ -7,6 +7,7 @@
 #include "WorkerLocation.h"
 
 #include "MeshConversion.h"
+#include "StageContext.h"
 
 #include "Boundary/FeatureSplit.h"
 #include "Boundary/SurfaceCheck.h"
@@ -22,10 +23,10 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVersionMacros.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -179,16 +180,6 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
   return valid;
 }
 
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::MustStop()
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  return this->CheckAbort();
-#else
-  return this->GetAbortExecute() != 0;
-#endif
-}
-
 namespace
 {
 // The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
@@ -211,28 +202,17 @@ void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
   grid->GetFieldData()->AddArray(array);
 }
 
-std::vector<vtkDataObject*> inputsOf(vtkInformationVector* inputs)
+ransmesh::FarFieldBox boxAround(ransmesh::SurfaceInput& input, const double margins[6])
 {
-  std::vector<vtkDataObject*> all;
-  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
-  {
-    all.push_back(vtkDataObject::GetData(inputs, i));
-  }
-  return all;
+  std::array<double, 6> six;
+  std::copy_n(margins, 6, six.begin());
+  return ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), six, input.patches);
 }
 } // namespace
 
 //------------------------------------------------------------------------------
-int vtkIsotropicTetMesher::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+std::string vtkIsotropicTetMesher::FindWorker()
 {
-  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
-  auto* problemOutput = vtkPolyData::GetData(outputVector, 1);
-  ransmesh::writeProblems({}, {}, problemOutput);
-  if (!this->OptionsAreValid())
-  {
-    return 0;
-  }
   std::string tried;
   const std::string program =
     ransmesh::findWorker(this->WorkerExecutable ? this->WorkerExecutable : "", tried);
@@ -240,30 +220,29 @@ int vtkIsotropicTetMesher::RequestData(
   {
     vtkErrorMacro("The program that runs TetGen was not found (tried: "
       << tried << "). Set WorkerExecutable or the environment variable RANSMESH_WORKER.");
-    return 0;
   }
+  return program;
+}
 
-  ransmesh::Context context;
-  double reached = 0;
-  context.progress = [this, &reached](double fraction, const char* phase)
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::ReadSurface(vtkInformationVector* inputs, ransmesh::SurfaceInput& input)
+{
+  std::vector<vtkDataObject*> data;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    reached = std::max(reached, fraction);
-    this->SetProgressText(phase);
-    this->UpdateProgress(reached);
-  };
-  context.cancelled = [this, &reached]
-  {
-    this->UpdateProgress(reached); // lets the user's interface act
-    return this->MustStop();
-  };
-
-  ransmesh::SurfaceInput input;
-  ransmesh::Outcome outcome = ransmesh::readSurface(inputsOf(inputVector[0]), input);
+    data.push_back(vtkDataObject::GetData(inputs, i));
+  }
+  const ransmesh::Outcome outcome = ransmesh::readSurface(data, input);
   if (!outcome.ok())
   {
-    vtkErrorMacro(<< outcome.message << ".");
-    return 0;
+    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
   }
+  return outcome.ok();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
+{
   const ransmesh::SurfaceVerdict verdict = ransmesh::mendAndCheck(input.surface, input.patches);
   for (const std::string& repair : verdict.repairs)
   {
@@ -272,17 +251,14 @@ int vtkIsotropicTetMesher::RequestData(
   if (!verdict.outcome.ok())
   {
     vtkErrorMacro(<< "Cannot mesh: " << verdict.outcome.message << ".");
-    ransmesh::writeProblems(input.surface, verdict.findings, problemOutput);
-    return verdict.findings.empty() ? 0 : 1;
+    ransmesh::writeProblems(input.surface, verdict.findings, problems);
   }
-  if (this->PatchFromFeatureAngle)
-  {
-    for (const int patch : input.wholePieces)
-    {
-      ransmesh::splitByAngle(input.surface, input.patches, patch, this->FeatureAngle);
-    }
-  }
+  return verdict.outcome.ok();
+}
 
+//------------------------------------------------------------------------------
+ransmesh::MeshingOptions vtkIsotropicTetMesher::GetOptions() const
+{
   ransmesh::MeshingOptions options;
   options.limits.maximum = this->MaximumEdgeLength;
   options.limits.slope = this->SurfaceGrowthRate - 1;
@@ -290,36 +266,67 @@ int vtkIsotropicTetMesher::RequestData(
   options.limits.spheres = this->Lists->Spheres;
   options.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
   options.minimumDihedral = this->MinimumDihedralAngle;
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::PrepareSurface(
+  const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input)
+{
+  if (this->PatchFromFeatureAngle)
+  {
+    for (const int patch : input.wholePieces)
+    {
+      ransmesh::splitByAngle(input.surface, input.patches, patch, this->FeatureAngle);
+    }
+  }
   ransmesh::halveLongEdges(
     input.surface, [&options](const ransmesh::Vector3& x) { return options.limits.at(x); });
+}
 
+//------------------------------------------------------------------------------
+int vtkIsotropicTetMesher::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  auto* output = vtkUnstructuredGrid::GetData(outputVector, 0);
+  auto* problems = vtkPolyData::GetData(outputVector, 1);
+  ransmesh::writeProblems({}, {}, problems);
+  const std::string program = this->OptionsAreValid() ? this->FindWorker() : "";
+  ransmesh::SurfaceInput input;
+  if (program.empty() || !this->ReadSurface(inputVector[0], input))
+  {
+    return 0;
+  }
+  // Where the faults can be shown, the pipeline goes on to show them.
+  if (!this->CheckSurface(input, problems))
+  {
+    return problems->GetNumberOfCells() > 0;
+  }
+  const ransmesh::MeshingOptions options = this->GetOptions();
+  this->PrepareSurface(options, input);
   std::optional<ransmesh::FarFieldBox> box;
   if (this->FarField)
   {
     makeBodiesWalls(input.patches);
-    std::array<double, 6> margins;
-    std::copy_n(this->FarFieldMargins, 6, margins.begin());
-    box = ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), margins, input.patches);
+    box = boxAround(input, this->FarFieldMargins);
   }
-  outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
-  if (!outcome.ok())
-  {
-    vtkErrorMacro(<< outcome.message << ".");
-    return 0;
-  }
-
+  ransmesh::Outcome outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
   ransmesh::MeshingResult result;
-  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
-  outcome = ransmesh::meshDomain(input.surface, box, input.patches, options, worker, context, result);
+  if (outcome.ok())
+  {
+    const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+    outcome = ransmesh::meshDomain(
+      input.surface, box, input.patches, options, worker, ransmesh::makeContext(this), result);
+  }
   if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
     return 0;
   }
   if (!outcome.ok())
   {
-    vtkErrorMacro(<< "Cannot mesh: " << outcome.message);
-    ransmesh::writeProblems(result.problemSurface, result.problems, problemOutput);
-    return result.problems.empty() ? 0 : 1;
+    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
+    ransmesh::writeProblems(result.problemSurface, result.problems, problems);
+    return !result.problems.empty();
   }
   for (const std::string& remark : result.remarks)
   {

@@ -22,8 +22,16 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory>
+#include <string>
 
 class vtkPolyData;
+
+namespace ransmesh
+{
+struct MeshingOptions;
+struct Outcome;
+struct SurfaceInput;
+} // namespace ransmesh
 
 class RANSMESHINGTETGEN_EXPORT vtkIsotropicTetMesher : public vtkUnstructuredGridAlgorithm
 {
@@ -171,7 +179,12 @@ private:
   std::unique_ptr<Internals> Lists;
 
   bool OptionsAreValid();
-  bool MustStop();
+  std::string FindWorker();
+  bool ReadSurface(vtkInformationVector* inputs, ransmesh::SurfaceInput& input);
+  // False, with the error reported and the triangles that are wrong in `problems`, if it cannot be meshed.
+  bool CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
+  ransmesh::MeshingOptions GetOptions() const;
+  void PrepareSurface(const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input);
 };
 
 #endif
