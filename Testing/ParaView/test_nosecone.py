@@ -56,6 +56,14 @@ assert "VALID" in report.SMProxy.GetProperty("ReportText").GetElement(0)
 assert Fetch(report, idx=1).GetNumberOfRows() > 20
 assert Fetch(report, idx=2).GetNumberOfRows() > 20
 
+# The mesh, which shows its boundary twice, is not shown by itself; the boundary is, and can be taken out.
+controller = simple.servermanager.vtkSMParaViewPipelineControllerWithRendering()
+assert controller.GetPreferredViewType(enrichment.SMProxy, 0) == "None"
+assert controller.GetPreferredViewType(enrichment.SMProxy, 1) is None
+boundary_alone = MeshBoundary(Input=report)
+simple.UpdatePipeline(proxy=boundary_alone)
+assert Fetch(boundary_alone).GetNumberOfCells() == Fetch(enrichment, idx=1).GetNumberOfCells()
+
 # What is written can be read again.
 path = os.path.join(folder, "mesh.vtu")
 simple.SaveData(path, proxy=report, DataMode="Binary")
