@@ -260,3 +260,42 @@ TEST(IsotropicTetMesher, GrowsSizesAwayFromTheSurface)
   mesher->SetSurfaceGrowthRate(1.1);
   EXPECT_GT(MesherRun(mesher).mesh.tetrahedra.size(), 2 * usual);
 }
+
+TEST(IsotropicTetMesher, WorksAtAnyScaleAndPlace)
+{
+  for (const auto& [scale, shift] : { std::pair{ 1e-9, 0.0 }, { 1e9, 0.0 }, { 1.0, 1e6 }, { 1e-3, 10.0 } })
+  {
+    const auto sphere = TestSurfaces::Sphere(1, 24);
+    for (vtkIdType i = 0; i < sphere->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      sphere->GetPoint(i, x);
+      sphere->GetPoints()->SetPoint(i, scale * x[0] + shift, scale * x[1] - shift, scale * x[2] + shift);
+    }
+    vtkNew<vtkIsotropicTetMesher> mesher;
+    mesher->AddInputDataObject(sphere);
+    mesher->FarFieldOn();
+    const MesherRun run(mesher);
+    EXPECT_GT(run.mesh.tetrahedra.size(), 2000u) << scale << " " << shift;
+  }
+}
+
+TEST(IsotropicTetMesher, TakesBodiesThatTouchAtAnEdgeOrAPoint)
+{
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  mesher->AddInputDataObject(TestSurfaces::Cube(0, 1));
+  mesher->AddInputDataObject(TestSurfaces::Cube(1, 2)); // shares the corner (1, 1, 1)
+  mesher->FarFieldOn();
+  const MesherRun run(mesher);
+  EXPECT_EQ(run.trianglesOf.at("surface_1"), 12);
+  EXPECT_EQ(run.trianglesOf.at("surface_2"), 12);
+}
+
+TEST(IsotropicTetMesher, MeshesDomainsApart)
+{
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  mesher->AddInputDataObject(TestSurfaces::Cube(0, 1));
+  mesher->AddInputDataObject(TestSurfaces::Cube(3, 5));
+  const MesherRun run(mesher);
+  EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 1 + 8, 1e-9);
+}
