@@ -10,8 +10,8 @@ BELOW = {"Support": set()}
 BELOW["Geometry"] = {"Support"}
 BELOW["Mesh"] = BELOW["Geometry"] | {"Geometry"}
 BELOW["Boundary"] = BELOW["Mesh"] | {"Mesh"}
-BELOW["Layers"] = BELOW["Boundary"] | {"Boundary"}
-BELOW["Insertion"] = BELOW["Removal"] = BELOW["Quality"] = BELOW["Layers"] | {"Layers"}
+BELOW["Layers"] = BELOW["Improvement"] = BELOW["Boundary"] | {"Boundary"}
+BELOW["Insertion"] = BELOW["Removal"] = BELOW["Quality"] = BELOW["Layers"] | {"Layers", "Improvement"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 PUBLIC_HEADER = re.compile(r"^vtk\w+\.h$")

@@ -1,6 +1,7 @@
 #include "Insertion/Enrichment.h"
 
 #include "Insertion/EnrichedOutput.h"
+#include "Insertion/FrontImprovement.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
 #include "Layers/ColumnLimits.h"
@@ -80,13 +81,13 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
       return outcome;
     }
     context.report(0.1, "planning columns");
-    const Classification classes = classify(mesh, patches);
+    const BoundaryRules rules{ classify(mesh, patches), std::vector<char>(patches.size(), 0) };
     EnrichedMesh enriched;
     ColumnSet set = planColumns(mesh, patches, plan, options, caps);
     enriched.report.restarts = attempt;
     enriched.report.columns = set.columns.size();
     enriched.report.pointsRequested = countPoints(set);
-    if (!raiseFront(mesh, set, classes, context, enriched.report.raising))
+    if (!raiseFront(mesh, set, rules.classification, context, enriched.report.raising))
     {
       return Outcome::cancelled();
     }
@@ -94,6 +95,7 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     std::vector<Index> folded;
     if (mendFolds(mesh, set, folded))
     {
+      enriched.report.improvements = improveBeyondFront(mesh, set, rules, context);
       writeEnriched(mesh, set, enriched);
       result = std::move(enriched);
       return Outcome::done();

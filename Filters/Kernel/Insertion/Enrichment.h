@@ -40,7 +40,8 @@ struct EnrichmentReport
   std::size_t pointsRequested = 0; // after the limits by size, gap and slope
   std::size_t pointsInserted = 0;
   std::size_t layerTets = 0;
-  std::size_t restarts = 0; // times that folded stacks were lowered and the stage began anew
+  std::size_t improvements = 0; // swaps and movements beyond the front
+  std::size_t restarts = 0;     // times that folded stacks were lowered and the stage began anew
   std::array<std::size_t, static_cast<std::size_t>(StopReason::Count)> columnsByReason{};
   RaisingReport raising;
 };

@@ -26,6 +26,9 @@ void countInto(Histogram& histogram, const std::vector<double>& values)
 
 Quantiles quantilesOf(std::vector<double> values)
 {
+  // Coordinates near the end of the range overflow into NaN, by which nothing can be sorted.
+  values.erase(std::remove_if(values.begin(), values.end(), [](double value) { return std::isnan(value); }),
+    values.end());
   Quantiles result;
   result.count = values.size();
   if (values.empty())

@@ -21,7 +21,7 @@ struct Quantiles
   double highest() const { return at.back(); }
 };
 
-// In linear time; values must not hold NaN.
+// In linear time. NaN are left out.
 Quantiles quantilesOf(std::vector<double> values);
 
 struct Histogram

@@ -1,6 +1,6 @@
 #include "Removal/PointRemoval.h"
 
-#include "Removal/LocalImprovement.h"
+#include "Improvement/LocalImprovement.h"
 #include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
 

@@ -3,7 +3,7 @@
 
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
-#include "Removal/GrowingCavity.h"
+#include "Improvement/GrowingCavity.h"
 #include "Removal/LayerRegion.h"
 #include "Removal/RemovalLimits.h"
 #include "Removal/RemovalVerdict.h"

@@ -1,4 +1,4 @@
-#include "Removal/LocalImprovement.h"
+#include "Improvement/LocalImprovement.h"
 
 #include "Geometry/TetrahedronMeasures.h"
 

@@ -1,4 +1,4 @@
-#include "Removal/GrowingCavity.h"
+#include "Improvement/GrowingCavity.h"
 
 #include "Geometry/TetrahedronMeasures.h"
 

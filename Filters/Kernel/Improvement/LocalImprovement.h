@@ -3,7 +3,7 @@
 
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
-#include "Removal/GrowingCavity.h"
+#include "Improvement/GrowingCavity.h"
 
 #include <vector>
 
