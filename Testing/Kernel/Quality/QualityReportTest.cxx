@@ -182,6 +182,21 @@ TEST(QualityReport, whatCannotBeMeasuredIsNot)
   EXPECT_EQ(cells.count(), 0u);
 }
 
+TEST(QualityReport, survivesCoordinatesThatOverflow)
+{
+  for (const double scale : { 1e100, 1e200, 1e-120 })
+  {
+    MeshData mesh = goodMesh();
+    for (Vector3& p : mesh.points)
+    {
+      p = scale * p;
+    }
+    const QualityReport report = reportOf(mesh, planOf(layers, scale * firstHeight));
+    EXPECT_EQ(report.faults.facesInMoreThanTwoTets, 0u);
+    EXPECT_TRUE(report.isMeasured);
+  }
+}
+
 TEST(QualityReport, stopsOnRequest)
 {
   Context context;
@@ -207,6 +222,8 @@ TEST(Distribution, quantilesInterpolateBetweenNeighbours)
   EXPECT_DOUBLE_EQ(q.highest(), 100);
   EXPECT_DOUBLE_EQ(q.mean, 50);
   EXPECT_EQ(quantilesOf({}).count, 0u);
+  EXPECT_EQ(quantilesOf({ NAN, NAN }).count, 0u);
+  EXPECT_DOUBLE_EQ(quantilesOf({ 2, NAN, 4 }).mean, 3);
   EXPECT_DOUBLE_EQ(quantilesOf({ 3 }).at[6], 3);
   EXPECT_DOUBLE_EQ(quantilesOf({ 3, 4 }).median(), 3.5);
 }
