@@ -1,9 +1,10 @@
 #include "Boundary/Classification.h"
 
+#include "Boundary/BoundaryStars.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace ransmesh
 {
@@ -53,141 +54,131 @@ void Ridges::remove(Index a, Index b)
 
 namespace
 {
-struct EdgeUse
+// The boundary faces at one vertex after the other, turned so that the vertex comes first.
+class Fan
 {
-  Index low;
-  Index high;
-  Index face;
-};
-
-Vector3 unitNormal(const TetMesh& mesh, Index b)
-{
-  const auto v = mesh.boundaryVertices(b);
-  return normalized(cross(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])));
-}
-
-std::vector<EdgeUse> sortedEdges(const TetMesh& mesh)
-{
-  std::vector<EdgeUse> edges;
-  edges.reserve(3 * mesh.boundarySlots());
-  for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
+public:
+  explicit Fan(const TetMesh& mesh)
+    : mesh_(mesh)
+    , stars_(mesh)
+    , normal_(mesh.boundarySlots())
   {
-    const auto b = static_cast<Index>(i);
-    if (mesh.boundaryFace(b).isAlive())
+    for (std::size_t i = 0; i < normal_.size(); ++i)
     {
-      const auto v = mesh.boundaryVertices(b);
-      for (int j = 0; j < 3; ++j)
+      const auto b = static_cast<Index>(i);
+      if (mesh.boundaryFace(b).isAlive())
       {
-        edges.push_back({ std::min(v[j], v[(j + 1) % 3]), std::max(v[j], v[(j + 1) % 3]), b });
+        const auto v = mesh.boundaryVertices(b);
+        normal_[i] =
+          normalized(cross(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])));
       }
     }
   }
-  std::sort(edges.begin(), edges.end(),
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
-  return edges;
-}
 
-bool isRidgeEdge(const TetMesh& mesh, const EdgeUse* use, std::size_t count, double cosine)
-{
-  if (count != 2)
+  void turnTo(Index v)
   {
-    return true;
+    faces_.clear();
+    for (const Index b : stars_.facesAt(v))
+    {
+      const auto w = mesh_.boundaryVertices(b);
+      const int i = w[0] == v ? 0 : w[1] == v ? 1 : 2;
+      faces_.push_back({ b, w[(i + 1) % 3], w[(i + 2) % 3] });
+    }
   }
-  return mesh.boundaryFace(use[0].face).patch != mesh.boundaryFace(use[1].face).patch ||
-    dot(unitNormal(mesh, use[0].face), unitNormal(mesh, use[1].face)) < cosine;
-}
 
-void findRidges(const TetMesh& mesh, const std::vector<EdgeUse>& edges, double cosine, Ridges& ridges)
-{
-  for (std::size_t i = 0; i < edges.size();)
+  bool isEmpty() const { return faces_.empty(); }
+
+  // The other ends of the edges at the vertex that are ridges, of those with higher numbers than the vertex.
+  template <class Visit>
+  void forEachRidge(Index v, double cosine, Visit visit) const
   {
-    std::size_t end = i + 1;
-    while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
+    for (const Face& face : faces_)
     {
-      ++end;
+      if (face.first > v && isRidge(face.first, cosine))
+      {
+        visit(face.first);
+      }
+      // Where the surface is not closed around the edge, it may come second only.
+      if (face.second > v && !startsAt(face.second))
+      {
+        visit(face.second);
+      }
     }
-    if (isRidgeEdge(mesh, &edges[i], end - i, cosine))
-    {
-      ridges.add(edges[i].low, edges[i].high);
-    }
-    i = end;
   }
-}
 
-// The boundary faces at each vertex: those of v are face[start[v]] to face[start[v + 1] - 1].
-struct FacesAtVertices
-{
-  std::vector<std::size_t> start;
-  std::vector<Index> face;
-
-  explicit FacesAtVertices(const TetMesh& mesh)
-    : start(mesh.vertexCount() + 1, 0)
+  // Whether the faces hang together through their edges at the vertex. Where they do not, surfaces only
+  // touch there.
+  bool isOne() const
   {
-    forEach(mesh, [this](Index v, Index) { ++start[v + 1]; });
-    for (std::size_t v = 1; v < start.size(); ++v)
+    const Index begin = faces_.front().first;
+    Index at = faces_.front().second;
+    std::size_t walked = 1;
+    while (at != begin && walked <= faces_.size())
     {
-      start[v] += start[v - 1];
+      const Face* next = startsAt(at);
+      if (!next)
+      {
+        return false;
+      }
+      at = next->second;
+      ++walked;
     }
-    face.resize(start.back());
-    std::vector<std::size_t> next(start.begin(), start.end() - 1);
-    forEach(mesh, [&](Index v, Index b) { face[next[v]++] = b; });
+    return walked == faces_.size();
   }
-  std::span<const Index> at(Index v) const { return { face.data() + start[v], face.data() + start[v + 1] }; }
+
+  void collectPatches(std::vector<int>& patches) const
+  {
+    for (const Face& face : faces_)
+    {
+      patches.push_back(mesh_.boundaryFace(face.number).patch);
+    }
+  }
 
 private:
-  template <class Visit>
-  static void forEach(const TetMesh& mesh, Visit visit)
+  struct Face
   {
-    for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
+    Index number;
+    Index first; // the vertices that follow the one turned to
+    Index second;
+  };
+
+  const Face* startsAt(Index end) const
+  {
+    const auto found =
+      std::find_if(faces_.begin(), faces_.end(), [end](const Face& f) { return f.first == end; });
+    return found == faces_.end() ? nullptr : &*found;
+  }
+
+  bool isRidge(Index end, double cosine) const
+  {
+    const Face* one = nullptr;
+    const Face* other = nullptr;
+    int count = 0;
+    for (const Face& face : faces_)
     {
-      if (mesh.boundaryFace(static_cast<Index>(b)).isAlive())
+      if (face.first == end || face.second == end)
       {
-        for (const Index v : mesh.boundaryVertices(static_cast<Index>(b)))
-        {
-          visit(v, static_cast<Index>(b));
-        }
+        (one ? other : one) = &face;
+        ++count;
       }
     }
+    return count != 2 || mesh_.boundaryFace(one->number).patch != mesh_.boundaryFace(other->number).patch ||
+      dot(normal_[one->number], normal_[other->number]) < cosine;
   }
+
+  const TetMesh& mesh_;
+  BoundaryStars stars_;
+  std::vector<Vector3> normal_;
+  std::vector<Face> faces_;
 };
 
-// Whether the boundary faces at v hang together through their edges at v. Where they do not, surfaces
-// only touch in v.
-bool isOneFan(const TetMesh& mesh, std::span<const Index> faces, Index v)
+VertexKind kindOf(const TetMesh& mesh, const Ridges& ridges, const Fan& fan, Index v, double cosine)
 {
-  // Walk from face to face: from the vertex after v to the face in which it comes before v.
-  const auto neighbours = [&](Index b)
-  {
-    const auto w = mesh.boundaryVertices(b);
-    const int i = w[0] == v ? 0 : w[1] == v ? 1 : 2;
-    return std::pair(w[(i + 1) % 3], w[(i + 2) % 3]);
-  };
-  const Index first = neighbours(faces.front()).first;
-  Index at = neighbours(faces.front()).second;
-  std::size_t walked = 1;
-  while (at != first && walked <= faces.size())
-  {
-    const auto next =
-      std::find_if(faces.begin(), faces.end(), [&](Index b) { return neighbours(b).first == at; });
-    if (next == faces.end())
-    {
-      return false;
-    }
-    at = neighbours(*next).second;
-    ++walked;
-  }
-  return walked == faces.size();
-}
-
-VertexKind kindOf(
-  const TetMesh& mesh, const Ridges& ridges, std::span<const Index> faces, Index v, double cosine)
-{
-  if (faces.empty())
+  if (fan.isEmpty())
   {
     return VertexKind::Volume;
   }
-  if (!isOneFan(mesh, faces, v))
+  if (!fan.isOne())
   {
     return VertexKind::Corner;
   }
@@ -205,45 +196,45 @@ VertexKind kindOf(
   return dot(in, out) < cosine ? VertexKind::Corner : VertexKind::Ridge;
 }
 
-void collectPatches(const TetMesh& mesh, const FacesAtVertices& faces, Classification& result)
-{
-  result.patchStart.assign(1, 0);
-  result.patchStart.reserve(mesh.vertexCount() + 1);
-  for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
-  {
-    const auto begin = static_cast<std::ptrdiff_t>(result.patchStart.back());
-    for (const Index b : faces.at(static_cast<Index>(v)))
-    {
-      result.patchIds.push_back(mesh.boundaryFace(b).patch);
-    }
-    std::sort(result.patchIds.begin() + begin, result.patchIds.end());
-    result.patchIds.erase(
-      std::unique(result.patchIds.begin() + begin, result.patchIds.end()), result.patchIds.end());
-    result.patchStart.push_back(result.patchIds.size());
-  }
-}
-
 bool isInterface(const PatchTable& patches, int patch)
 {
   return static_cast<std::size_t>(patch) < patches.size() && patches[patch].type == PatchType::Interface;
+}
+
+// Adds the patches of the vertex that the fan is turned to.
+void addPatches(const Fan& fan, Classification& result)
+{
+  const auto begin = static_cast<std::ptrdiff_t>(result.patchIds.size());
+  fan.collectPatches(result.patchIds);
+  std::sort(result.patchIds.begin() + begin, result.patchIds.end());
+  result.patchIds.erase(
+    std::unique(result.patchIds.begin() + begin, result.patchIds.end()), result.patchIds.end());
+  result.patchStart.push_back(result.patchIds.size());
 }
 } // namespace
 
 Classification classify(const TetMesh& mesh, const PatchTable& patches, double featureAngle)
 {
   const double cosine = std::cos(featureAngle * std::numbers::pi / 180);
-  const FacesAtVertices faces(mesh);
+  const auto vertices = static_cast<Index>(mesh.vertexCount());
+  Fan fan(mesh);
   Classification result;
-  findRidges(mesh, sortedEdges(mesh), cosine, result.ridges);
-  collectPatches(mesh, faces, result);
+  result.patchStart.assign(1, 0);
+  result.patchStart.reserve(mesh.vertexCount() + 1);
+  for (Index v = 0; v < vertices; ++v)
+  {
+    fan.turnTo(v);
+    fan.forEachRidge(v, cosine, [&](Index end) { result.ridges.add(v, end); });
+    addPatches(fan, result);
+  }
   result.kind.resize(mesh.vertexCount());
   result.frozen.resize(mesh.vertexCount());
-  for (std::size_t i = 0; i < mesh.vertexCount(); ++i)
+  for (Index v = 0; v < vertices; ++v)
   {
-    const auto v = static_cast<Index>(i);
-    result.kind[i] = kindOf(mesh, result.ridges, faces.at(v), v, cosine);
+    fan.turnTo(v);
+    result.kind[v] = kindOf(mesh, result.ridges, fan, v, cosine);
     const auto own = result.patchesAt(v);
-    result.frozen[i] = std::any_of(own.begin(), own.end(), [&](int p) { return isInterface(patches, p); });
+    result.frozen[v] = std::any_of(own.begin(), own.end(), [&](int p) { return isInterface(patches, p); });
   }
   return result;
 }

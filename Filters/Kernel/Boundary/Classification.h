@@ -64,7 +64,7 @@ struct Classification
 
 // Classifies all vertices of a valid mesh from its boundary faces. Ridge edges are those between two
 // patches, those where the normals turn more than featureAngle (degrees, 0 to 180), and those that have
-// not exactly two boundary faces. Linear in the size of the boundary, but for one sort of its edges.
+// not exactly two boundary faces. Time is linear in the size of the mesh.
 Classification classify(
   const TetMesh& mesh, const PatchTable& patches, double featureAngle = defaults::featureAngle);
 } // namespace ransmesh

@@ -18,7 +18,12 @@ struct WallTriangle
   std::array<Index, 3> vertex;
   int patch;
   double reach;
-  Vector3 centre; // of a sphere that holds the triangle
+};
+
+// A sphere that holds a triangle, grown by the triangle's reach: for quick bounds.
+struct Ball
+{
+  Vector3 centre;
   double radius;
 };
 
@@ -45,7 +50,7 @@ public:
     const Vector3& a = mesh_.point(w.vertex[0]);
     const Vector3& b = mesh_.point(w.vertex[1]);
     const Vector3& c = mesh_.point(w.vertex[2]);
-    const Vector3 top = w.centre + w.reach * normalized(cross(b - a, c - a));
+    const Vector3 top = balls_[t].centre + w.reach * normalized(cross(b - a, c - a));
     return std::clamp(quality(a, b, c, top), 0.0, 1.0);
   }
 
@@ -61,8 +66,7 @@ public:
   // A lower bound of the excess, quickly.
   double leastExcess(const Vector3& p, Index t) const
   {
-    const WallTriangle& w = triangles_[t];
-    return distance(p, w.centre) - w.radius - w.reach;
+    return distance(p, balls_[t].centre) - balls_[t].radius;
   }
 
   // Walks over the wall from triangle t, whose excess is given, to where the excess is smallest.
@@ -106,11 +110,7 @@ private:
       const auto patch = static_cast<std::size_t>(face.patch);
       if (face.isAlive() && patch < plan.size() && plan[patch].hasLayers())
       {
-        const auto v = mesh_.boundaryVertices(static_cast<Index>(b));
-        const Vector3 centre = (1.0 / 3) * (mesh_.point(v[0]) + mesh_.point(v[1]) + mesh_.point(v[2]));
-        const double radius = std::max({ distance(centre, mesh_.point(v[0])),
-          distance(centre, mesh_.point(v[1])), distance(centre, mesh_.point(v[2])) });
-        triangles_.push_back({ v, face.patch, 0, centre, radius });
+        triangles_.push_back({ mesh_.boundaryVertices(static_cast<Index>(b)), face.patch, 0 });
       }
     }
   }
@@ -170,11 +170,18 @@ private:
       const double size = std::max({ sizes[t.vertex[0]], sizes[t.vertex[1]], sizes[t.vertex[2]] });
       const double thickness = limitedThickness(heights[t.patch], plan[t.patch].isotropicFraction, size);
       t.reach = thickness > 0 ? thickness + margin * size : 0;
+      const Vector3& a = mesh_.point(t.vertex[0]);
+      const Vector3& b = mesh_.point(t.vertex[1]);
+      const Vector3& c = mesh_.point(t.vertex[2]);
+      const Vector3 centre = (1.0 / 3) * (a + b + c);
+      const double radius = std::max({ distance(centre, a), distance(centre, b), distance(centre, c) });
+      balls_.push_back({ centre, radius + t.reach });
     }
   }
 
   const TetMesh& mesh_;
   std::vector<WallTriangle> triangles_;
+  std::vector<Ball> balls_;  // of triangles_
   std::vector<Index> first_; // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
   std::vector<Index> triangleAt_;
 };

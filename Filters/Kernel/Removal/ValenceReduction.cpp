@@ -81,7 +81,7 @@ double ValenceReduction::floorFor() const
 // What the edge from the vertex to end would best be replaced by.
 ValenceReduction::Cut ValenceReduction::bestCut(Index tet, Index end)
 {
-  constexpr std::size_t largestRing = 8;
+  constexpr std::size_t largestRing = 6;
   Cut best{ end, None, -1 };
   if (!beginAt(tet, end) || ring_.size() > largestRing)
   {
