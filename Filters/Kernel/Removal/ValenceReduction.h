@@ -1,9 +1,9 @@
 // Takes edges away from a vertex, so that what is left of its ball can be starred without it.
 #pragma once
 
+#include "Improvement/GrowingCavity.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
-#include "Improvement/GrowingCavity.h"
 #include "Removal/RemovalLimits.h"
 #include "Removal/SurfaceStar.h"
 

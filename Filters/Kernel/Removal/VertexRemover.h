@@ -1,9 +1,9 @@
 // Takes single points out of a mesh, with the checks of section 6 of Loehner's paper.
 #pragma once
 
+#include "Improvement/GrowingCavity.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
-#include "Improvement/GrowingCavity.h"
 #include "Removal/LayerRegion.h"
 #include "Removal/RemovalLimits.h"
 #include "Removal/RemovalVerdict.h"
