@@ -93,7 +93,8 @@ std::string describe(const ProgramEnd& end, double timeLimit)
   }
   else if (end.status == worker::ExitEndless)
   {
-    return "TetGen refined without end, as badly shaped surface triangles make it: remesh the surface";
+    return "TetGen refined without end, as badly shaped surface triangles make it: set SurfaceEdgeLength to "
+           "remesh the surface";
   }
   else if (end.status > worker::ExitTetGen && end.status <= worker::ExitTetGen + 10)
   {

@@ -11,6 +11,7 @@
 
 #include "Boundary/FeatureSplit.h"
 #include "Boundary/SurfaceCheck.h"
+#include "Boundary/SurfaceRemeshing.h"
 #include "Boundary/SurfaceSizes.h"
 #include "Support/DataContract.h"
 
@@ -57,6 +58,7 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "SurfaceEdgeLength: " << this->SurfaceEdgeLength << "\n";
   os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
   os << indent << "MaximumRadiusEdgeRatio: " << this->MaximumRadiusEdgeRatio << "\n";
   os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
@@ -159,6 +161,7 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
     return false;
   };
   bool valid = within("MaximumEdgeLength", this->MaximumEdgeLength, 0, 1e50) &&
+    within("SurfaceEdgeLength", this->SurfaceEdgeLength, 0, 1e50) &&
     within("SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3) &&
     within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
     within("MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18) &&
@@ -270,8 +273,8 @@ ransmesh::MeshingOptions vtkIsotropicTetMesher::GetOptions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::PrepareSurface(
-  const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input)
+bool vtkIsotropicTetMesher::PrepareSurface(
+  const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input, vtkPolyData* problems)
 {
   if (this->PatchFromFeatureAngle)
   {
@@ -280,8 +283,26 @@ void vtkIsotropicTetMesher::PrepareSurface(
       ransmesh::splitByAngle(input.surface, input.patches, patch, this->FeatureAngle);
     }
   }
+  if (this->SurfaceEdgeLength > 0)
+  {
+    const ransmesh::Outcome outcome =
+      ransmesh::remeshSurface(input.surface, this->SurfaceEdgeLength, this->FeatureAngle);
+    if (!outcome.ok())
+    {
+      vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
+      return false;
+    }
+    if (!this->CheckSurface(input, problems))
+    {
+      vtkErrorMacro("Remeshing to edges of "
+        << this->SurfaceEdgeLength
+        << " spoiled the surface: details of it are smaller. Choose a smaller SurfaceEdgeLength.");
+      return false;
+    }
+  }
   ransmesh::halveLongEdges(
     input.surface, [&options](const ransmesh::Vector3& x) { return options.limits.at(x); });
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -298,12 +319,11 @@ int vtkIsotropicTetMesher::RequestData(
     return 0;
   }
   // Where the faults can be shown, the pipeline goes on to show them.
-  if (!this->CheckSurface(input, problems))
+  const ransmesh::MeshingOptions options = this->GetOptions();
+  if (!this->CheckSurface(input, problems) || !this->PrepareSurface(options, input, problems))
   {
     return problems->GetNumberOfCells() > 0;
   }
-  const ransmesh::MeshingOptions options = this->GetOptions();
-  this->PrepareSurface(options, input);
   std::optional<ransmesh::FarFieldBox> box;
   if (this->FarField)
   {

@@ -4,8 +4,8 @@
  *
  * First stage of the chain to a RANS mesh: meshes the domain that the input surfaces bound, or, with
  * FarField, the space between the input bodies and a box around them. The insides of bodies are found and
- * left empty. Surface triangles are kept, except that edges longer than the wanted size are halved; sizes
- * in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
+ * left empty. Surface triangles are kept, except that edges longer than the wanted size are halved, or
+ * remeshed on demand; sizes in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
  * happens there becomes an error of this filter.
  *
  * Input (repeatable): vtkPolyData, or composite data of them; closed together; each triangle with a patch
@@ -47,6 +47,15 @@ public:
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * The edge length to which the surfaces are remeshed, in their unit; edges where the surface turns by more
+   * than FeatureAngle and the borders of patches are kept. Default 0: the surface triangles are kept.
+   */
+  vtkSetMacro(SurfaceEdgeLength, double);
+  vtkGetMacro(SurfaceEdgeLength, double);
   ///@}
 
   ///@{
@@ -107,7 +116,7 @@ public:
 
   ///@{
   /**
-   * The angle in degrees, 0 to 180, for PatchFromFeatureAngle. Default 30.
+   * The angle in degrees, 0 to 180, for PatchFromFeatureAngle and SurfaceEdgeLength. Default 30.
    */
   vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
@@ -161,6 +170,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
   double MaximumEdgeLength = 0;
+  double SurfaceEdgeLength = 0;
   double SurfaceGrowthRate = 1.3;
   double MaximumRadiusEdgeRatio = 1.4;
   double MinimumDihedralAngle = 10;
@@ -184,7 +194,9 @@ private:
   // False, with the error reported and the triangles that are wrong in `problems`, if it cannot be meshed.
   bool CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
   ransmesh::MeshingOptions GetOptions() const;
-  void PrepareSurface(const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input);
+  // Patches and triangles as the options want them. False, with the error reported, if that fails.
+  bool PrepareSurface(
+    const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input, vtkPolyData* problems);
 };
 
 #endif

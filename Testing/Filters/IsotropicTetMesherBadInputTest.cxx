@@ -199,3 +199,20 @@ TEST_F(BadInput, IsForgottenWhenTheInputIsMended)
   EXPECT_GT(this->Mesher->GetOutput()->GetNumberOfCells(), 0);
   EXPECT_EQ(this->Problems()->GetNumberOfCells(), 0);
 }
+
+TEST_F(BadInput, RemeshingWhereThreeTrianglesMeet)
+{
+  this->Mesher->SetSurfaceEdgeLength(0.1);
+  const auto twoCells =
+    TestSurfaces::Triangles({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.3, 0.3, 1 }, { 0.3, 0.3, -1 } },
+      { { 0, 1, 2 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 1, 4 }, { 1, 2, 4 }, { 2, 0, 4 } });
+  EXPECT_TRUE(contains(this->ErrorFor(twoCells), "cannot be remeshed"));
+}
+
+TEST_F(BadInput, RemeshingToMoreThanTheSurfaceHolds)
+{
+  // Two sheets much nearer to each other than the new edges bulge.
+  this->Mesher->SetSurfaceEdgeLength(0.9);
+  const auto shell = TestSurfaces::Together({ TestSurfaces::Sphere(1, 40), TestSurfaces::Sphere(1.01, 40) });
+  EXPECT_TRUE(contains(this->ErrorFor(shell), "Choose a smaller SurfaceEdgeLength"));
+}

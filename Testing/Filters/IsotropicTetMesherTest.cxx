@@ -299,3 +299,15 @@ TEST(IsotropicTetMesher, MeshesDomainsApart)
   const MesherRun run(mesher);
   EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 1 + 8, 1e-9);
 }
+
+TEST(IsotropicTetMesher, RemeshesSurfacesAndKeepsTheirEdgesAndPatches)
+{
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  mesher->AddInputDataObject(TestSurfaces::Cup(0.1));
+  mesher->PatchFromFeatureAngleOn();
+  mesher->SetSurfaceEdgeLength(0.08);
+  const MesherRun run(mesher);
+  EXPECT_EQ(run.trianglesOf.size(), 11u);
+  EXPECT_GT(run.mesh.triangles.size(), 1500u);
+  EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 2 - 0.8 * 0.8 * 1.9, 1e-9);
+}
