@@ -72,7 +72,7 @@ public:
 
   ///@{
   /**
-   * Number of first layers that do not grow. Default 0.
+   * Number of first layers that are all of the first height; the next ones grow. Default 0; 1 is the same.
    */
   vtkSetMacro(ConstantLayers, int);
   vtkGetMacro(ConstantLayers, int);

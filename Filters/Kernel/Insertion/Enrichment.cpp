@@ -7,6 +7,7 @@
 #include "Layers/ColumnLimits.h"
 #include "Mesh/Builder.h"
 #include "Mesh/Validation.h"
+#include "Support/Numbers.h"
 
 #include <algorithm>
 
@@ -68,7 +69,7 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
 {
   if (!(options.gapFraction > 0 && options.gapFraction <= 0.5))
   {
-    return Outcome::badInput("the gap fraction is " + std::to_string(options.gapFraction) +
+    return Outcome::badInput("the gap fraction is " + textOf(options.gapFraction) +
       "; it must lie above 0 and not exceed 0.5: set GapFraction");
   }
   LevelCaps caps(input.points.size(), MaximumNumberOfLayers);

@@ -11,7 +11,8 @@ namespace
 {
 double spacingOf(const LayerSpecification& s, int level)
 {
-  return s.firstHeight * std::pow(s.growthRate, std::max(0, level - 1 - s.constantLayers));
+  const int withoutGrowth = std::max(1, s.constantLayers);
+  return s.firstHeight * std::pow(s.growthRate, std::max(0, level - withoutGrowth));
 }
 } // namespace
 

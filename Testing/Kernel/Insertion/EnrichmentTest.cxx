@@ -102,8 +102,8 @@ TEST(Enrichment, ConstantFirstLayersDoNotGrow)
   LayerPlan plan = planFor(7, { ZLow }, 1e-3, 8);
   plan[ZLow].constantLayers = 3;
   const LayerHeights heights(plan[ZLow]);
-  EXPECT_DOUBLE_EQ(heights.spacing(4), 1e-3);
-  EXPECT_NEAR(heights.spacing(5), 1.2e-3, 1e-15);
+  EXPECT_DOUBLE_EQ(heights.spacing(3), 1e-3);
+  EXPECT_NEAR(heights.spacing(4), 1.2e-3, 1e-15);
   enrichAndCheck(make({ 5, 5, 4 }), plateTable(), plan);
 }
 

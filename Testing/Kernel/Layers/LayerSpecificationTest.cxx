@@ -51,8 +51,10 @@ TEST(LayerSpecification, constantLayersDoNotGrow)
   LayerSpecification s = good();
   s.constantLayers = 3;
   const LayerHeights heights(s);
-  EXPECT_NEAR(heights.height(4), 4e-5, 1e-18); // the first, and three that do not grow
-  EXPECT_NEAR(heights.spacing(5), 1.2e-5, 1e-18);
+  EXPECT_NEAR(heights.height(3), 3e-5, 1e-18);
+  EXPECT_NEAR(heights.spacing(4), 1.2e-5, 1e-18);
+  s.constantLayers = 1; // the first layer never grows
+  EXPECT_NEAR(LayerHeights(s).spacing(2), 1.2e-5, 1e-18);
 }
 
 TEST(LayerSpecification, growthOfOneGivesEvenLayers)
