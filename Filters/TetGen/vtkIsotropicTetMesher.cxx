@@ -340,7 +340,7 @@ int vtkIsotropicTetMesher::RequestData(
   }
   if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
-    return 0;
+    return 1; // as the user wished: an empty mesh, no error
   }
   if (!outcome.ok())
   {

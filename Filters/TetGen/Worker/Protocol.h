@@ -11,12 +11,13 @@ namespace ransmesh::worker
 {
 inline constexpr std::uint64_t Version = 0x52414e534d533031; // "RANSMS01"
 
-// Exit status of the worker when TetGen gave up with an error number: ExitTetGen + number.
+// Exit status of the worker: 0, one of these, or, when TetGen gave up with an error number, ExitTetGen +
+// number. Sanitizers end programs with statuses around 23, shells use 126 and more.
 inline constexpr int ExitUsage = 2;
 inline constexpr int ExitUnreadable = 3;
 inline constexpr int ExitMemory = 4;
 inline constexpr int ExitEndless = 5; // refinement went far beyond the points that the sizes ask for
-inline constexpr int ExitTetGen = 20;
+inline constexpr int ExitTetGen = 40;
 // A line of the worker's output that starts so tells how many points the mesh has by now.
 inline constexpr const char* ProgressMark = "ransmesh points ";
 

@@ -5,6 +5,7 @@
 // the result file; what TetGen prints goes to the standard output, which the filter reads.
 #include "TetGenRun.h"
 
+#include <cstdlib>
 #include <new>
 
 #ifdef __linux__
@@ -40,7 +41,8 @@ int main(int argc, char** argv)
       std::fprintf(stderr, "cannot write %s: is the disk full?\n", argv[2]);
       return ExitUnreadable;
     }
-    return 0;
+    std::fflush(stdout);
+    std::_Exit(0); // the mesh need not be taken down piece by piece; TetGen would leak some of it anyway
   }
   catch (const std::bad_alloc&)
   {
