@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 """Pictures of a mesh with layers around a body: python3 pictures.py MESH.vtu FOLDER
 
-Needs a display: without one, run it under `xvfb-run -a`. The mesh is cut by the plane y = 0.
+Needs a display: without one, run it under `xvfb-run -a`. The mesh is cut along the middle of its walls, at
+right angles to y.
 """
 import os
 import sys
 
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPlane
-from vtkmodules.vtkFiltersCore import vtkCutter, vtkThreshold
+from vtkmodules.vtkCommonDataModel import vtkBoundingBox, vtkDataObject, vtkPlane
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCutter, vtkThreshold
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -36,30 +37,65 @@ def cells_between(source, array, low, high):
     return threshold.GetOutput()
 
 
-def middle_plane():
+def wall_triangles(mesh):
+    """The boundary triangles of the patches of type wall."""
+    types = mesh.GetFieldData().GetAbstractArray("PatchTypes")
+    numbers = [i for i in range(1, types.GetNumberOfValues()) if types.GetValue(i) == "wall"]
+    walls = vtkAppendFilter()
+    for number in numbers:
+        walls.AddInputData(cells_between(mesh, "PatchId", number, number))
+    walls.Update()
+    return walls.GetOutput()
+
+
+def plane_across(y):
     plane = vtkPlane()
+    plane.SetOrigin(0, y, 0)
     plane.SetNormal(0, 1, 0)
     return plane
 
 
-def half_behind(cells, with_cut_cells=False):
+def half_behind(cells, plane, with_cut_cells=False):
     """The whole cells beyond the plane, so that their shapes are seen."""
     extract = vtkExtractGeometry()
     extract.SetInputData(cells)
-    extract.SetImplicitFunction(middle_plane())
+    extract.SetImplicitFunction(plane)
     extract.ExtractInsideOff()
     extract.SetExtractBoundaryCells(with_cut_cells)
     extract.Update()
     return extract.GetOutput()
 
 
-def cut(tetrahedra):
+def cut(tetrahedra, plane):
     cutter = vtkCutter()
     cutter.SetInputData(tetrahedra)
-    cutter.SetCutFunction(middle_plane())
+    cutter.SetCutFunction(plane)
     cutter.GenerateTrianglesOff()
     cutter.Update()
     return cutter.GetOutput()
+
+
+def foremost(walls, plane):
+    """The point of the walls, near the plane, where x is smallest."""
+    cutter = vtkCutter()
+    cutter.SetInputData(walls)
+    cutter.SetCutFunction(plane)
+    cutter.Update()
+    points = cutter.GetOutput()
+    return min((points.GetPoint(i) for i in range(points.GetNumberOfPoints())), key=lambda p: p[0])
+
+
+def layers_thickness(mesh):
+    """Of the layers that were asked for, where they are thickest."""
+    def rows(name):
+        array = mesh.GetFieldData().GetArray(name)
+        return [array.GetTuple1(i) for i in range(array.GetNumberOfTuples())]
+
+    def thickness(first, growth, count):
+        return first * (count if growth == 1 else (growth ** count - 1) / (growth - 1))
+
+    return max(thickness(*row) for row in zip(*map(rows, ("LayersFirstHeight", "LayersGrowthRate",
+                                                          "LayersNumber"))))
 
 
 def layer_colors(count):
@@ -146,7 +182,8 @@ def draw_scene(actors, path, focus, direction, height, up=(0, 0, 1)):
     camera = renderer.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(*focus)
-    camera.SetPosition(*(f - d for f, d in zip(focus, direction)))
+    away = vtkBoundingBox(renderer.ComputeVisiblePropBounds()).GetDiagonalLength()  # all is before the camera
+    camera.SetPosition(*(f - away * d for f, d in zip(focus, direction)))
     camera.SetViewUp(*up)
     camera.SetParallelScale(height / 2)
     renderer.ResetCameraClippingRange()
@@ -164,24 +201,26 @@ def draw_scene(actors, path, focus, direction, height, up=(0, 0, 1)):
 def draw(mesh, folder):
     """Draws the three pictures into the folder; gives their paths."""
     count = int(mesh.GetCellData().GetArray("LayerId").GetRange()[1])
-    walls = cells_between(mesh, "PatchId", 1, 2)  # the body and its base
+    walls = wall_triangles(mesh)
     tetrahedra = cells_between(mesh, "PatchId", 0, 0)
     table = layer_colors(count)
-    xmin, xmax, _, _, zmin, zmax = walls.GetBounds()
+    xmin, xmax, ymin, ymax, zmin, zmax = walls.GetBounds()
     length = xmax - xmin
-    middle = ((xmin + xmax) / 2, 0, (zmin + zmax) / 2)
-    tip = (xmin, 0, 0)
+    middle = ((xmin + xmax) / 2, (ymin + ymax) / 2, (zmin + zmax) / 2)
+    plane = plane_across(middle[1])
 
     # The body seen from within closes the cuts.
-    section = [actor_of(cut(tetrahedra), table=table, line_width=0.8), *legend(table),
-               actor_of(half_behind(walls, True), BODY, edges=None)]
+    section = [actor_of(cut(tetrahedra, plane), table=table, line_width=0.8), *legend(table),
+               actor_of(half_behind(walls, plane, True), BODY, edges=None)]
     return [
-        draw_scene([actor_of(walls, BODY), actor_of(half_behind(tetrahedra), table=table, line_width=0.8), *legend(table)],
+        draw_scene([actor_of(walls, BODY), actor_of(half_behind(tetrahedra, plane), table=table, line_width=0.8),
+                    *legend(table)],
                    os.path.join(folder, "surface.png"), middle, (0.45, 1, -0.35), 0.72 * length),
         draw_scene(section,
                    os.path.join(folder, "cut.png"), middle, (0, 1, 0), 0.85 * length),
         draw_scene(section,
-                   os.path.join(folder, "close-up.png"), tip, (0, 1, 0), 0.09 * length),
+                   os.path.join(folder, "close-up.png"), foremost(walls, plane), (0, 1, 0),
+                   2.7 * layers_thickness(mesh)),
     ]
 
 

@@ -27,6 +27,9 @@ Chain::Chain(const Options& options, vtkPolyData* surface)
   describeLayers(removal_.Get());
   // The enrichment takes the layers that the removal made room for: they travel with the mesh.
   enrichment_->SetInputConnection(removal_->GetOutputPort());
+  // Each mesh goes when the next one is made: that halves the memory.
+  mesher_->ReleaseDataFlagOn();
+  removal_->ReleaseDataFlagOn();
   if (options.isotropicOnly)
   {
     report_->SetInputConnection(mesher_->GetOutputPort());
