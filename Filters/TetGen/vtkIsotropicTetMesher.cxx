@@ -40,6 +40,53 @@ struct vtkIsotropicTetMesher::Internals
   std::vector<std::pair<std::string, std::string>> TypeOfPattern;
 };
 
+namespace
+{
+// The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
+void makeBodiesWalls(ransmesh::PatchTable& patches)
+{
+  for (std::size_t i = 1; i < patches.size(); ++i)
+  {
+    if (patches[i].type == ransmesh::PatchType::Patch)
+    {
+      patches[i].type = ransmesh::PatchType::Wall;
+    }
+  }
+}
+
+void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(ransmesh::contract::MesherSwitches);
+  array->InsertNextValue(switches);
+  grid->GetFieldData()->AddArray(array);
+}
+
+// Of the space between the bodies and the box with these margins, or, without margins, inside the surface.
+double domainVolume(const ransmesh::SurfaceMesh& surface, const double* margins)
+{
+  const double inside = ransmesh::enclosedVolume(surface);
+  if (!margins)
+  {
+    return inside;
+  }
+  const ransmesh::Extent extent = ransmesh::extentOf(surface.points);
+  double box = 1;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box *= extent.length(axis) + (margins[2 * axis] + margins[2 * axis + 1]) * extent.largestLength();
+  }
+  return box - inside;
+}
+
+ransmesh::FarFieldBox boxAround(ransmesh::SurfaceInput& input, const double margins[6])
+{
+  std::array<double, 6> six;
+  std::copy_n(margins, 6, six.begin());
+  return ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), six, input.patches);
+}
+} // namespace
+
 //------------------------------------------------------------------------------
 vtkIsotropicTetMesher::vtkIsotropicTetMesher()
   : Lists(new Internals)
@@ -183,36 +230,6 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
   return valid;
 }
 
-namespace
-{
-// The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
-void makeBodiesWalls(ransmesh::PatchTable& patches)
-{
-  for (std::size_t i = 1; i < patches.size(); ++i)
-  {
-    if (patches[i].type == ransmesh::PatchType::Patch)
-    {
-      patches[i].type = ransmesh::PatchType::Wall;
-    }
-  }
-}
-
-void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(ransmesh::contract::MesherSwitches);
-  array->InsertNextValue(switches);
-  grid->GetFieldData()->AddArray(array);
-}
-
-ransmesh::FarFieldBox boxAround(ransmesh::SurfaceInput& input, const double margins[6])
-{
-  std::array<double, 6> six;
-  std::copy_n(margins, 6, six.begin());
-  return ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), six, input.patches);
-}
-} // namespace
-
 //------------------------------------------------------------------------------
 std::string vtkIsotropicTetMesher::FindWorker()
 {
@@ -300,8 +317,17 @@ bool vtkIsotropicTetMesher::PrepareSurface(
       return false;
     }
   }
-  ransmesh::halveLongEdges(
-    input.surface, [&options](const ransmesh::Vector3& x) { return options.limits.at(x); });
+  const auto limit = [&options](const ransmesh::Vector3& x) { return options.limits.at(x); };
+  const double volume = domainVolume(input.surface, this->FarField ? this->FarFieldMargins : nullptr);
+  const double wanted = this->MaximumEdgeLength;
+  const double tets = wanted > 0 ? 8.5 * volume / (wanted * wanted * wanted) : 0;
+  constexpr double mostTets = 4e8;
+  if (tets > mostTets || !ransmesh::halveLongEdges(input.surface, limit))
+  {
+    vtkErrorMacro("Cannot mesh: the sizes that are asked for make too large a mesh (more than 400 million "
+                  "tetrahedra, or 20 million surface triangles); ask for larger edges.");
+    return false;
+  }
   return true;
 }
 

@@ -179,6 +179,16 @@ TEST_F(BadInput, OptionsOutOfRange)
   EXPECT_TRUE(contains(this->ErrorFor(cube), "FarFieldMargins is 0"));
 }
 
+TEST_F(BadInput, SizesBeyondAllBounds)
+{
+  const auto cube = TestSurfaces::Cube(0, 1);
+  this->Mesher->SetMaximumEdgeLength(1e-9);
+  EXPECT_TRUE(contains(this->ErrorFor(cube), "too large a mesh"));
+  this->Mesher->FarFieldOn();
+  this->Mesher->SetMaximumEdgeLength(1e-3);
+  EXPECT_TRUE(contains(this->ErrorFor(cube), "too large a mesh"));
+}
+
 TEST_F(BadInput, UnknownPatchTypes)
 {
   const auto cube = TestSurfaces::Cube(0, 1);

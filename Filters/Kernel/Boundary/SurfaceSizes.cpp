@@ -206,20 +206,30 @@ std::vector<double> sizesOnSurface(const SurfaceMesh& surface, double slope)
   return size;
 }
 
-std::size_t halveLongEdges(
-  SurfaceMesh& surface, const std::function<double(const Vector3&)>& limit, double factor)
+bool halveLongEdges(SurfaceMesh& surface, const std::function<double(const Vector3&)>& limit,
+  std::size_t mostTriangles, double factor)
 {
-  std::size_t total = 0;
-  for (;;)
+  while (surface.triangles.size() <= mostTriangles)
   {
     Halving halving(surface);
-    const std::size_t halved = halving.mark(limit, factor);
-    if (halved == 0)
+    if (halving.mark(limit, factor) == 0)
     {
-      return total;
+      return true;
     }
     halving.splitTriangles();
-    total += halved;
   }
+  return false;
+}
+
+double enclosedVolume(const SurfaceMesh& surface)
+{
+  double six = 0;
+  const Vector3 origin = surface.points.empty() ? Vector3{} : surface.points[0];
+  for (const auto& t : surface.triangles)
+  {
+    const auto& p = surface.points;
+    six += dot(p[t[0]] - origin, cross(p[t[1]] - origin, p[t[2]] - origin));
+  }
+  return std::fabs(six) / 6;
 }
 } // namespace ransmesh

@@ -15,7 +15,11 @@ std::vector<double> sizesOnSurface(const SurfaceMesh& surface, double slope);
 // Halves edges longer than `factor` times limit(midpoint), again and again, so that the surface stays
 // closed; the longest edge of a triangle goes first, which keeps the angles good. New points lie on the
 // old triangles; patches are kept. `limit` must be positive; infinity leaves an edge alone.
-// Gives how many edges were halved.
-std::size_t halveLongEdges(
-  SurfaceMesh& surface, const std::function<double(const Vector3&)>& limit, double factor = 1.5);
+// False, with the surface in between, where that takes more than `mostTriangles`.
+bool halveLongEdges(SurfaceMesh& surface, const std::function<double(const Vector3&)>& limit,
+  std::size_t mostTriangles = 20'000'000, double factor = 1.5);
+
+// The volume that a closed surface encloses, in the cube of the length unit: rounded, and too small
+// where triangles are not turned alike.
+double enclosedVolume(const SurfaceMesh& surface);
 } // namespace ransmesh

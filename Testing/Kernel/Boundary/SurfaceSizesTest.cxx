@@ -43,7 +43,8 @@ TEST(SurfaceSizes, HalvesLongEdgesAndStaysClosed)
 {
   SurfaceMesh surface = tetrahedron();
   const double area = areaOf(surface, 2);
-  EXPECT_GT(halveLongEdges(surface, [](const Vector3&) { return 0.1; }), 0u);
+  EXPECT_TRUE(halveLongEdges(surface, [](const Vector3&) { return 0.1; }));
+  EXPECT_NEAR(enclosedVolume(surface), 1.0 / 6, 1e-12);
   EXPECT_LE(longestEdge(surface), 0.15);
   EXPECT_NEAR(areaOf(surface, 2), area, 1e-12);
   forEachEdge(sortedEdges(surface),
@@ -57,9 +58,17 @@ TEST(SurfaceSizes, HalvesLongEdgesAndStaysClosed)
 TEST(SurfaceSizes, LeavesShortEdgesAlone)
 {
   SurfaceMesh surface = tetrahedron();
-  EXPECT_EQ(
-    halveLongEdges(surface, [](const Vector3&) { return std::numeric_limits<double>::infinity(); }), 0u);
+  EXPECT_TRUE(
+    halveLongEdges(surface, [](const Vector3&) { return std::numeric_limits<double>::infinity(); }));
   EXPECT_EQ(surface.triangles.size(), 4u);
+}
+
+TEST(SurfaceSizes, GivesUpBeforeMemoryEnds)
+{
+  SurfaceMesh surface = tetrahedron();
+  EXPECT_FALSE(halveLongEdges(
+    surface, [](const Vector3&) { return 1e-9; }, 10000));
+  EXPECT_LT(surface.triangles.size(), 50000u);
 }
 
 TEST(SurfaceSizes, LimitsGrowthAlongTheSurface)
