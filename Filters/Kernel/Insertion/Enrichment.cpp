@@ -5,6 +5,7 @@
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
 #include "Layers/ColumnLimits.h"
+#include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
 #include "Mesh/Validation.h"
 #include "Support/Numbers.h"
@@ -82,7 +83,7 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
       return outcome;
     }
     context.report(0.1, "planning columns");
-    const BoundaryRules rules{ classify(mesh, patches), std::vector<char>(patches.size(), 0) };
+    const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
     EnrichedMesh enriched;
     ColumnSet set = planColumns(mesh, patches, plan, options, caps);
     enriched.report.restarts = attempt;

@@ -9,8 +9,7 @@ namespace ransmesh
 {
 namespace
 {
-// A move that makes nothing much worse needs no new connectivity.
-constexpr double QualityKept = 0.9;
+// A move that makes tetrahedra flatter than this needs a better connectivity.
 constexpr double FlattestKept = 0.01;
 // Where a top's surroundings were poor from the beginning, this share of their quality is enough: needles
 // on the wall make needles in the volume.

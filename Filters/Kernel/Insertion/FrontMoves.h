@@ -34,6 +34,8 @@ public:
 
   // Below this a tetrahedron is worth changing the connectivity for.
   static constexpr double GoodQuality = 0.12;
+  // A move that keeps this part of the worst quality before it needs no new connectivity either.
+  static constexpr double QualityKept = 0.9;
 
 private:
   double worstQuality(const std::vector<Index>& tets) const;

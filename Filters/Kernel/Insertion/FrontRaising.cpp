@@ -1,6 +1,6 @@
 #include "Insertion/FrontRaising.h"
 
-#include "Geometry/TetrahedronMeasures.h"
+#include "Insertion/JointMove.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnLimits.h"
 
@@ -16,6 +16,8 @@ constexpr double StepOfSize = 0.3;
 // Sweeps after the last planned one, with growing effort.
 constexpr int ExtraSweeps = 12;
 constexpr int FailuresPerSweep = 4;
+// A top that failed in so many of the planned sweeps waits for the extra ones.
+constexpr int PatienceInSweeps = 6;
 // No step is tried that is shorter than this share of the first height.
 constexpr double ShortestOfFirstHeight = 0.5;
 // A step that is all but complete is completed, so that coordinates are exactly the level's.
@@ -31,6 +33,7 @@ public:
     , set_(set)
     , report_(report)
     , front_(mesh, set)
+    , joint_(mesh, set, front_)
     , moves_(mesh, set, classes, front_)
     , steps_(set.columns.size(), 0)
     , refusals_(set.columns.size(), 0)
@@ -75,107 +78,14 @@ private:
     return steps_[c] == 0 ? 0 : std::min(1.0, static_cast<double>(sweep) / steps_[c]);
   }
 
-  // Moves all tops to the sweep's share at once, then takes back those whose tetrahedra suffer, until
-  // none does.
   void moveTogether(int sweep)
   {
-    std::vector<double> oldShare(set_.columns.size(), 0);
-    std::vector<Vector3> oldPosition(set_.columns.size());
-    std::vector<char> moved(set_.columns.size(), 0);
-    for (std::size_t i = 0; i < set_.columns.size(); ++i)
+    std::vector<double> target(set_.columns.size());
+    for (std::size_t c = 0; c < target.size(); ++c)
     {
-      const auto c = static_cast<Index>(i);
-      oldShare[c] = front_.share(c);
-      oldPosition[c] = mesh_.point(set_.columns[c].vertex);
-      const double target = targetShare(c, sweep);
-      moved[c] = target > oldShare[c];
-      if (moved[c])
-      {
-        place(c, target);
-      }
+      target[c] = targetShare(static_cast<Index>(c), sweep);
     }
-    const auto takeBack = [&](Index c)
-    {
-      if (c == None || !moved[c])
-      {
-        return;
-      }
-      moved[c] = 0;
-      front_.setShare(c, oldShare[c]);
-      mesh_.movePoint(set_.columns[c].vertex, oldPosition[c]);
-    };
-    const auto before = [&](Index v)
-    {
-      const Index c = set_.ofVertex[v];
-      return c != None && moved[c] ? oldPosition[c] : mesh_.point(v);
-    };
-    std::vector<Index> touched = tetsAtTops(moved);
-    for (bool again = true; again;)
-    {
-      again = false;
-      for (const BaseFace& face : front_.faces())
-      {
-        if (anyMoved(face.column, moved) && !front_.slabIsPositive(face))
-        {
-          std::for_each(face.column.begin(), face.column.end(), takeBack);
-          again = true;
-        }
-      }
-      for (const Index t : touched)
-      {
-        const auto& v = mesh_.tet(t).vertex;
-        const std::array<Index, 4> columns = { set_.ofVertex[v[0]], set_.ofVertex[v[1]], set_.ofVertex[v[2]],
-          set_.ofVertex[v[3]] };
-        if (!anyMoved(columns, moved))
-        {
-          continue;
-        }
-        const double now =
-          quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
-        if (now > FrontMoves::GoodQuality)
-        {
-          continue;
-        }
-        if (!(now > 0) || now < 0.9 * quality(before(v[0]), before(v[1]), before(v[2]), before(v[3])))
-        {
-          std::for_each(columns.begin(), columns.end(), takeBack);
-          again = true;
-        }
-      }
-    }
-    report_.movedTogether += static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
-  }
-
-  template <class Columns>
-  static bool anyMoved(const Columns& columns, const std::vector<char>& moved)
-  {
-    return std::any_of(columns.begin(), columns.end(), [&moved](Index c) { return c != None && moved[c]; });
-  }
-
-  std::vector<Index> tetsAtTops(const std::vector<char>& moved) const
-  {
-    std::vector<Index> tets;
-    for (std::size_t i = 0; i < mesh_.tetSlots(); ++i)
-    {
-      const auto t = static_cast<Index>(i);
-      const auto atTop = [&](Index v)
-      {
-        const Index c = set_.ofVertex[v];
-        return c != None && moved[c];
-      };
-      if (mesh_.tet(t).isAlive() &&
-        std::any_of(mesh_.tet(t).vertex.begin(), mesh_.tet(t).vertex.end(), atTop))
-      {
-        tets.push_back(t);
-      }
-    }
-    return tets;
-  }
-
-  void place(Index c, double share)
-  {
-    front_.setShare(c, share);
-    mesh_.movePoint(set_.columns[c].vertex, front_.position(c, share));
+    report_.movedTogether += joint_.run(target);
   }
 
   // Gives the number of tops that are still behind.
@@ -191,7 +101,7 @@ private:
       {
         continue;
       }
-      const bool hopeless = refusals_[c] > 6 && sweep <= sweeps_;
+      const bool hopeless = refusals_[c] > PatienceInSweeps && sweep <= sweeps_;
       if (!hopeless && !advance(c, target, Efforts[effort]))
       {
         ++refusals_[c];
@@ -261,6 +171,7 @@ private:
   ColumnSet& set_;
   RaisingReport& report_;
   Front front_;
+  JointMove joint_;
   FrontMoves moves_;
   std::vector<int> steps_;
   std::vector<int> refusals_;

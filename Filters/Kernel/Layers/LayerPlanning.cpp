@@ -258,4 +258,15 @@ Outcome planLayers(
   }
   return Outcome::done();
 }
+
+std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan)
+{
+  std::vector<char> changeable(patches.size(), 0);
+  for (std::size_t p = 1; p < patches.size(); ++p)
+  {
+    const bool hasLayers = p < plan.size() && plan[p].hasLayers();
+    changeable[p] = !hasLayers && patches[p].type != PatchType::Interface;
+  }
+  return changeable;
+}
 } // namespace ransmesh

@@ -51,4 +51,8 @@ Outcome findWalls(
 // (also: a first height not below the largest extent of the mesh).
 Outcome planLayers(
   const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan);
+
+// Which patches a removal may change the triangles of: those without layers that are not interfaces.
+// By patch number.
+std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan);
 } // namespace ransmesh

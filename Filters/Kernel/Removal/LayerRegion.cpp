@@ -290,17 +290,6 @@ bool mayGo(const Classification& classification, const std::vector<char>& change
 }
 } // namespace
 
-std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan)
-{
-  std::vector<char> changeable(patches.size(), 0);
-  for (std::size_t p = 1; p < patches.size(); ++p)
-  {
-    const bool hasLayers = p < plan.size() && plan[p].hasLayers();
-    changeable[p] = !hasLayers && patches[p].type != PatchType::Interface;
-  }
-  return changeable;
-}
-
 double limitedThickness(const LayerHeights& heights, double isotropicFraction, double size)
 {
   int level = 0;

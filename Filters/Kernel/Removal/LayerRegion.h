@@ -23,10 +23,6 @@ struct LayerRegion
   std::vector<float> reach;
 };
 
-// Which patches a removal may change the triangles of: those without layers that are not interfaces.
-// By patch number.
-std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan);
-
 // The thickness of the layers where the local isotropic size is the one given: no level counts whose
 // spacing exceeds isotropicFraction * size (section 3 of Loehner's paper).
 double limitedThickness(const LayerHeights& heights, double isotropicFraction, double size);

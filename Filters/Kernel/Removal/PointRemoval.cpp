@@ -1,6 +1,7 @@
 #include "Removal/PointRemoval.h"
 
 #include "Improvement/LocalImprovement.h"
+#include "Layers/LayerPlanning.h"
 #include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
 
@@ -15,17 +16,18 @@ namespace
 {
 // The limits of the passes: collapse first, then cavities, then less and less quality.
 constexpr RemovalLimits Passes[] = {
-  { 0.15, 0, 0, false },
-  { 0.12, 0, 0, true },
-  { 0.10, 0, 12, true },
-  { 0.10, 8, 0, true },
-  { 0.06, 0, 12, true },
-  { 0.05, 20, 12, true },
-  { 0.03, 20, 12, true },
-  { 0.02, 40, 12, true },
-  { 0.02, 40, 40, true },
-  { 0.02, 40, 40, true },
-  { 0.02, 40, 40, true },
+  { 0.15, 0, 0, 0 },
+  { 0.12, 0, 0, 1 },
+  { 0.10, 0, 12, 1 },
+  { 0.10, 8, 0, 1 },
+  { 0.06, 0, 12, 1 },
+  { 0.05, 20, 12, 1 },
+  { 0.03, 20, 12, 1 },
+  { 0.02, 40, 12, 1 },
+  { 0.02, 40, 40, 0.8 },
+  { 0.02, 40, 40, 0.5 },
+  { 0.02, 40, 40, 0.3 },
+  { 0.02, 40, 40, 0.2 },
 };
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
@@ -106,12 +108,14 @@ private:
     return true;
   }
 
-  // The limits of a pass at a point: no better quality is asked for than the walls allow.
+  // The limits of a pass at a point: no better quality is asked for than the walls allow, and in the last
+  // pass less.
   RemovalLimits limitsAt(Index v, int pass) const
   {
     constexpr double least = 0.01;
+    const double allowed = std::clamp(1.25 * region_.attainable[v], least, 1.0);
     RemovalLimits limits = Passes[pass];
-    limits.quality *= std::clamp(1.25 * region_.attainable[v], least, 1.0);
+    limits.quality *= pass + 1 == PassCount ? allowed * allowed : allowed;
     return limits;
   }
 

@@ -10,6 +10,6 @@ struct RemovalLimits
   double quality = 0.15;  // no new tetrahedron may be worse
   std::size_t growth = 0; // by how many tetrahedra a cavity may grow
   int cuts = 0;           // how many edges may be taken from the point first
-  bool orNoWorse = false; // where the ones that go are worse, no worse than these is enough
+  double keep = 0;        // where the ones that go are worse, this share of their worst is enough
 };
 } // namespace ransmesh

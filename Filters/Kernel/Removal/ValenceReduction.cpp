@@ -68,11 +68,11 @@ bool ValenceReduction::beginAt(Index tet, Index end)
 double ValenceReduction::floorFor() const
 {
   double floor = limits_.quality;
-  if (limits_.orNoWorse)
+  if (limits_.keep > 0)
   {
     for (const Index t : ring_)
     {
-      floor = std::min(floor, qualityOf(mesh_, t));
+      floor = std::min(floor, limits_.keep * qualityOf(mesh_, t));
     }
   }
   return floor;

@@ -102,11 +102,11 @@ bool VertexRemover::ridgeTurns(Index v) const
 double VertexRemover::floorFor(const RemovalLimits& limits) const
 {
   double floor = limits.quality;
-  if (limits.orNoWorse)
+  if (limits.keep > 0)
   {
     for (const Index t : ball_)
     {
-      floor = std::min(floor, qualityOf(mesh_, t));
+      floor = std::min(floor, limits.keep * qualityOf(mesh_, t));
     }
   }
   return floor;

@@ -1,0 +1,121 @@
+#include "Insertion/JointMove.h"
+
+#include "Geometry/TetrahedronMeasures.h"
+#include "Insertion/FrontMoves.h"
+
+#include <algorithm>
+
+namespace ransmesh
+{
+std::size_t JointMove::run(const std::vector<double>& target)
+{
+  place(target);
+  const std::vector<Index> tets = tetsAtMovedTops();
+  // What is taken back changes its neighbours' tetrahedra: again, until all are well. In the worst case
+  // every top is back where it was.
+  for (bool again = true; again;)
+  {
+    const bool folded = takeBackAtFoldedFaces();
+    const bool spoiled = takeBackAtSpoiledTets(tets);
+    again = folded || spoiled;
+  }
+  return static_cast<std::size_t>(std::count(moved_.begin(), moved_.end(), 1));
+}
+
+void JointMove::place(const std::vector<double>& target)
+{
+  const std::size_t count = set_.columns.size();
+  moved_.assign(count, 0);
+  oldShare_.resize(count);
+  oldPosition_.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const auto c = static_cast<Index>(i);
+    const Index vertex = set_.columns[i].vertex;
+    oldShare_[i] = front_.share(c);
+    oldPosition_[i] = mesh_.point(vertex);
+    moved_[i] = target[i] > oldShare_[i];
+    if (moved_[i])
+    {
+      front_.setShare(c, target[i]);
+      mesh_.movePoint(vertex, front_.position(c, target[i]));
+    }
+  }
+}
+
+std::vector<Index> JointMove::tetsAtMovedTops() const
+{
+  std::vector<Index> tets;
+  for (std::size_t i = 0; i < mesh_.tetSlots(); ++i)
+  {
+    const Tetrahedron& tet = mesh_.tet(static_cast<Index>(i));
+    if (tet.isAlive() &&
+      std::any_of(
+        tet.vertex.begin(), tet.vertex.end(), [this](Index v) { return hasMoved(set_.ofVertex[v]); }))
+    {
+      tets.push_back(static_cast<Index>(i));
+    }
+  }
+  return tets;
+}
+
+bool JointMove::takeBackAtFoldedFaces()
+{
+  bool any = false;
+  for (const BaseFace& face : front_.faces())
+  {
+    const bool concerned =
+      std::any_of(face.column.begin(), face.column.end(), [this](Index c) { return hasMoved(c); });
+    if (concerned && !front_.slabIsPositive(face))
+    {
+      std::for_each(face.column.begin(), face.column.end(), [this](Index c) { takeBack(c); });
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool JointMove::takeBackAtSpoiledTets(const std::vector<Index>& tets)
+{
+  bool any = false;
+  for (const Index t : tets)
+  {
+    const auto& vertices = mesh_.tet(t).vertex;
+    const bool concerned =
+      std::any_of(vertices.begin(), vertices.end(), [this](Index v) { return hasMoved(set_.ofVertex[v]); });
+    if (concerned && isSpoiled(vertices))
+    {
+      std::for_each(vertices.begin(), vertices.end(), [this](Index v) { takeBack(set_.ofVertex[v]); });
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool JointMove::isSpoiled(const std::array<Index, 4>& v) const
+{
+  const double now = quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
+  if (now > FrontMoves::GoodQuality)
+  {
+    return false;
+  }
+  return !(now > 0) ||
+    now < FrontMoves::QualityKept * quality(before(v[0]), before(v[1]), before(v[2]), before(v[3]));
+}
+
+Vector3 JointMove::before(Index vertex) const
+{
+  const Index c = set_.ofVertex[vertex];
+  return hasMoved(c) ? oldPosition_[c] : mesh_.point(vertex);
+}
+
+void JointMove::takeBack(Index column)
+{
+  if (hasMoved(column))
+  {
+    moved_[column] = 0;
+    front_.setShare(column, oldShare_[column]);
+    mesh_.movePoint(set_.columns[column].vertex, oldPosition_[column]);
+  }
+}
+} // namespace ransmesh
