@@ -1,9 +1,9 @@
 // Swaps and movement: better tetrahedra from the same points.
 #pragma once
 
+#include "Improvement/GrowingCavity.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
-#include "Improvement/GrowingCavity.h"
 
 #include <vector>
 

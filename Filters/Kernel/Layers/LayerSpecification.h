@@ -22,10 +22,10 @@ inline constexpr double maximumSurfaceAngle = 10; // degrees
 
 struct LayerSpecification
 {
-  double firstHeight = 0;                                 // h0 > 0, length units
-  double growthRate = defaults::growthRate;               // g >= 1
-  int numberOfLayers = 0;                                 // 0: no layers here
-  int constantLayers = defaults::constantLayers;          // the first layers, all of the first height; 0 and 1 alike
+  double firstHeight = 0;                        // h0 > 0, length units
+  double growthRate = defaults::growthRate;      // g >= 1
+  int numberOfLayers = 0;                        // 0: no layers here
+  int constantLayers = defaults::constantLayers; // the first layers, all of the first height; 0 and 1 alike
   double isotropicFraction = defaults::isotropicFraction; // f of the paper's section 3, > 0
 
   bool hasLayers() const { return numberOfLayers > 0; }
