@@ -1,5 +1,6 @@
 #include "Removal/LayerRegion.h"
 
+#include "Layers/LayerPlanning.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
 
