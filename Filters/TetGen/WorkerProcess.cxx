@@ -104,7 +104,13 @@ ProgramEnd describe(vtksysProcess* process)
       end.kind = end.status == 0 ? ProgramEnd::Kind::Done : ProgramEnd::Kind::Failed;
       end.how = "it ended with status " + std::to_string(end.status);
       break;
+    case vtksysProcess_State_Killed: // by vtksys, which answers SIGINT and SIGTERM to the host so
+      end.kind = ProgramEnd::Kind::Cancelled;
+      break;
     case vtksysProcess_State_Exception:
+      end.kind = vtksysProcess_GetExitException(process) == vtksysProcess_Exception_Interrupt
+        ? ProgramEnd::Kind::Cancelled // the terminal's Ctrl-C, which reaches the worker too
+        : end.kind;
       end.how = std::string("it crashed (") + vtksysProcess_GetExceptionString(process) + ")";
       break;
     default:

@@ -119,8 +119,8 @@ public:
     {
       return;
     }
-    constexpr double patience = 30;  // seconds of processor time
-    constexpr double leastRate = 50; // points a second; sound meshes take 20000
+    constexpr double patience = 60;   // seconds of processor time
+    constexpr double leastRate = 200; // points a second; sound meshes take 20000
     const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
     if (seconds > patience && seen_ - givenPoints_ < leastRate * seconds)
     {
