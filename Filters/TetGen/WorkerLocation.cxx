@@ -64,7 +64,10 @@ std::string findWorker(const std::string& wanted, std::string& tried)
     {
       return path;
     }
-    tried += (tried.empty() ? "" : ", ") + path;
+    if (tried.find(path) == std::string::npos)
+    {
+      tried += (tried.empty() ? "" : ", ") + path;
+    }
   }
   return "";
 }

@@ -89,9 +89,6 @@ class Usage(CommandLineTest):
         self.wrong("give one of them", NOSECONE, *out, *LAYERS, "--thickness", "0.1")
         self.wrong("makes no layers", NOSECONE, *out, *LAYERS, "--isotropic-only")
 
-    def test_what_is_not_there_yet_says_so(self):
-        self.wrong("not supported yet", NOSECONE, "-o", self.mesh, *LAYERS, "--surface-size", "0.1")
-
     def test_help_and_version(self):
         for option in ("--help", "-h"):
             done = self.run_it(option)
@@ -186,6 +183,10 @@ class Options(CommandLineTest):
         self.assertGreater(self.cells("--first-height", "1e-3", "--thickness", "0.03", "--growth", "1.05"), few)
         self.assertLess(self.cells(*LAYERS, "--walls", "body"), few)
         self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "base"), few)
+
+    def test_surfaces_are_remeshed(self):
+        kept = self.cells("--isotropic-only")
+        self.assertGreater(self.cells("--isotropic-only", "--surface-size", "0.03"), 2 * kept)
 
     def test_quiet_and_threads(self):
         done = self.succeeds(NOSECONE, *LAYERS, "--far-field", "2", "--quiet", "--threads", "2")

@@ -17,6 +17,7 @@ Chain::Chain(const Options& options, vtkPolyData* surface)
   progress_->setQuiet(options.quiet);
   mesher_->SetInputData(surface);
   mesher_->SetMaximumEdgeLength(options.size);
+  mesher_->SetSurfaceEdgeLength(options.surfaceSize);
   if (options.farField > 0)
   {
     const double margin = options.farField;

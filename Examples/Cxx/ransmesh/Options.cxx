@@ -100,6 +100,7 @@ const std::map<std::string, Reader>& readers()
     { "-o", [](O& o, A& a, S& name) { o.output = a.valueOf(name); } },
     { "--far-field", [](O& o, A& a, S& name) { o.farField = lengthOf(a, name); } },
     { "--size", [](O& o, A& a, S& name) { o.size = lengthOf(a, name); } },
+    { "--surface-size", [](O& o, A& a, S& name) { o.surfaceSize = lengthOf(a, name); } },
     { "--walls", [](O& o, A& a, S& name) { o.walls = patternsOf(a, name); } },
     { "--first-height", [](O& o, A& a, S& name) { o.firstHeight = lengthOf(a, name); } },
     { "--growth", [](O& o, A& a, S& name) { o.growth = lengthOf(a, name, 1); } },
@@ -113,12 +114,6 @@ const std::map<std::string, Reader>& readers()
     { "--help", [](O& o, A&, S&) { o.help = true; } },
     { "-h", [](O& o, A&, S&) { o.help = true; } },
     { "--version", [](O& o, A&, S&) { o.version = true; } },
-    { "--surface-size",
-      [](O&, A&, S&)
-      {
-        throw UsageError("--surface-size is not supported yet: surfaces are kept as they are; remesh them "
-                         "before, or leave the option out");
-      } },
   };
   return table;
 }
@@ -212,7 +207,7 @@ Domain
   --far-field M         a box around the bodies, M body lengths on each side;
                         without it the surfaces themselves bound the domain
   --size L              largest edge in the field
-  --surface-size L      size to which surfaces are remeshed (not supported yet)
+  --surface-size L      size to which surfaces are remeshed (default: kept)
 
 Layers
   --first-height H      first spacing normal to the walls; must be given

@@ -16,6 +16,7 @@ struct Options
   std::vector<std::string> walls;
   double farField = 0;    // body lengths on each side; 0: no far field
   double size = 0;        // 0: no limit
+  double surfaceSize = 0; // 0: surfaces are kept
   double firstHeight = 0; // 0: not given
   double growth = 0;      // 0: not given
   double thickness = 0;   // 0: not given

@@ -52,7 +52,7 @@ PatchOfFace toCgal(const SurfaceMesh& surface, Mesh& mesh)
   }
   Processing::orient_polygon_soup(points, triangles);
   Processing::polygon_soup_to_polygon_mesh(points, triangles, mesh);
-  const PatchOfFace patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
+  PatchOfFace patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
   std::size_t t = 0; // faces follow the order of the triangles
   for (const auto face : mesh.faces())
   {

@@ -115,7 +115,7 @@ public:
   // among needles, where each point that is tried reaches through much of the mesh.
   void watch()
   {
-    if (++questions_ % 1024 != 0)
+    if (++questions_ % 16 != 0) // among needles one answer may take TetGen a second
     {
       return;
     }
