@@ -6,6 +6,8 @@
 #include <deque>
 #include <memory>
 
+#include <signal.h>
+
 namespace ransmesh
 {
 namespace
@@ -79,6 +81,30 @@ private:
   std::deque<std::string> last_;
 };
 
+// What the host does on SIGINT and SIGTERM. vtksysProcess puts its own actions there, which leave host and
+// worker running, and does not put back all that was there.
+class HostSignals
+{
+public:
+  HostSignals()
+  {
+    sigaction(SIGINT, nullptr, &onInterrupt_);
+    sigaction(SIGTERM, nullptr, &onTerminate_);
+  }
+  ~HostSignals() { restore(); }
+  HostSignals(const HostSignals&) = delete;
+  HostSignals& operator=(const HostSignals&) = delete;
+  void restore() const
+  {
+    sigaction(SIGINT, &onInterrupt_, nullptr);
+    sigaction(SIGTERM, &onTerminate_, nullptr);
+  }
+
+private:
+  struct sigaction onInterrupt_ = {};
+  struct sigaction onTerminate_ = {};
+};
+
 ProcessPointer start(const std::vector<std::string>& command)
 {
   std::vector<const char*> arguments;
@@ -104,9 +130,6 @@ ProgramEnd describe(vtksysProcess* process)
       end.kind = end.status == 0 ? ProgramEnd::Kind::Done : ProgramEnd::Kind::Failed;
       end.how = "it ended with status " + std::to_string(end.status);
       break;
-    case vtksysProcess_State_Killed: // by vtksys, which answers SIGINT and SIGTERM to the host so
-      end.kind = ProgramEnd::Kind::Cancelled;
-      break;
     case vtksysProcess_State_Exception:
       end.kind = vtksysProcess_GetExitException(process) == vtksysProcess_Exception_Interrupt
         ? ProgramEnd::Kind::Cancelled // the terminal's Ctrl-C, which reaches the worker too
@@ -123,7 +146,9 @@ ProgramEnd describe(vtksysProcess* process)
 ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
   const std::function<bool()>& mustStop, const std::function<void(const std::string&)>& onLine)
 {
+  const HostSignals signals; // outlives the process
   const ProcessPointer process = start(command);
+  signals.restore();
   const auto began = Clock::now();
   Lines lines(onLine);
   double asked = 0; // when the context was asked last

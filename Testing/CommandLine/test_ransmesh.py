@@ -4,9 +4,11 @@ import gzip
 import json
 import os
 import shutil
+import signal
 import struct
 import subprocess
 import tempfile
+import time
 import unittest
 
 import surfaces
@@ -211,6 +213,28 @@ class Options(CommandLineTest):
         self.assertEqual(done.returncode, 1)
         with open(self.mesh, encoding="ascii") as file:
             self.assertEqual(file.read(), "older")
+
+
+class Interrupts(CommandLineTest):
+    def interrupt(self, number):
+        """Interrupts the program while TetGen works on a large mesh; gives what it left in its folder."""
+        command = [RANSMESH, NOSECONE, *LAYERS, "--far-field", "2", "--size", "0.02", "-o", self.mesh]
+        program = subprocess.Popen(command, stderr=subprocess.PIPE, text=True,
+                                   env=dict(os.environ, TMPDIR=self.folder))
+        for _ in range(600):
+            if os.listdir(self.folder):
+                break
+            time.sleep(0.05)
+        time.sleep(0.5)
+        program.send_signal(number)
+        _, errors = program.communicate(timeout=30)
+        self.assertEqual(program.returncode, 1, errors)
+        self.assertIn("stopped on request", errors)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_interrupts_leave_nothing(self):
+        self.interrupt(signal.SIGINT)
+        self.interrupt(signal.SIGTERM)
 
 
 class Report(CommandLineTest):

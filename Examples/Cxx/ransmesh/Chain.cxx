@@ -75,6 +75,10 @@ void Chain::runStage(const std::string& name, vtkAlgorithm* filter)
   {
     throw MeshingError(name + ": " + messages_->errors().front());
   }
+  if (vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells() == 0)
+  {
+    throw MeshingError(name + ": stopped on request");
+  }
   times_.push_back({ name, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() });
 }
 

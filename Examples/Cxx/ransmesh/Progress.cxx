@@ -2,11 +2,29 @@
 
 #include <vtkAlgorithm.h>
 
+#include <csignal>
 #include <cstdio>
 #include <unistd.h>
 
 namespace commandline
 {
+namespace
+{
+volatile std::sig_atomic_t interrupted = 0;
+
+void onInterrupt(int signal)
+{
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
+}
+} // namespace
+
+void Progress::catchInterrupts()
+{
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+}
+
 void Progress::setQuiet(bool quiet)
 {
   shown_ = !quiet && isatty(STDERR_FILENO) != 0;
@@ -30,6 +48,10 @@ void Progress::clear()
 
 void Progress::Execute(vtkObject* caller, unsigned long, void* data)
 {
+  if (interrupted != 0)
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+  }
   const int percent = static_cast<int>(100 * *static_cast<double*>(data));
   if (!shown_ || percent == lastPercent_)
   {

@@ -1,4 +1,5 @@
-// Progress of the filters on a terminal: one line that is written over.
+// Progress of the filters on a terminal: one line that is written over. Interrupts are minded here too,
+// since filters ask then whether they are to stop.
 #pragma once
 
 #include <vtkCommand.h>
@@ -19,6 +20,9 @@ public:
   void setQuiet(bool quiet);
   void watch(vtkAlgorithm* algorithm, const std::string& stage);
   void clear();
+  // From now on SIGINT and SIGTERM stop the filter that runs, so that it cleans up; a second one ends the
+  // program at once.
+  static void catchInterrupts();
   void Execute(vtkObject* caller, unsigned long event, void* data) override;
 
 private:

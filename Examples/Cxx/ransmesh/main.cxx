@@ -128,6 +128,7 @@ int main(int count, char* words[])
       return Done;
     }
     checkFiles(options);
+    Progress::catchInterrupts();
     return mesh(options);
   }
   catch (const UsageError& error)
