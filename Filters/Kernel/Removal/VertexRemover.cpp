@@ -144,7 +144,7 @@ void VertexRemover::keepPromisingApexes(double floor, std::size_t enough)
   ranking_.clear();
   for (const Index apex : apexes_)
   {
-    ranking_.push_back({ cavity_.countPoor(apex, floor), apex });
+    ranking_.emplace_back(cavity_.countPoor(apex, floor), apex);
   }
   const std::size_t kept = std::min(enough, ranking_.size());
   std::partial_sort(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ranking_.end());
