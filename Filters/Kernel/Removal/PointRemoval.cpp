@@ -86,26 +86,29 @@ private:
   bool removeAll(std::vector<Index>& left, int pass, RemovalResult& result)
   {
     constexpr std::size_t askEvery = 1024;
-    for (std::size_t i = 0; i < left.size(); ++i)
+    bool stopped = false;
+    for (std::size_t i = 0; i < left.size() && !stopped; ++i)
     {
       if (i % askEvery == 0)
       {
-        context_.report(
-          (pass + static_cast<double>(i) / static_cast<double>(left.size())) / PassCount, "removing points");
-        if (context_.stopped())
-        {
-          return false;
-        }
+        reportProgress(static_cast<double>(left.size()) - 0.5 * static_cast<double>(i));
+        stopped = context_.stopped();
       }
-      if (!region_.isMarked[left[i]])
+      if (!stopped && region_.isMarked[left[i]])
       {
-        continue;
+        const RemovalVerdict verdict = attempt(left[i], limitsAt(left[i], pass));
+        ++countOf(result.verdicts, verdict);
       }
-      const RemovalVerdict verdict = attempt(left[i], limitsAt(left[i], pass));
-      ++countOf(result.verdicts, verdict);
     }
     std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
-    return true;
+    return !stopped;
+  }
+
+  // A pass leaves about half of its points to the next: stillToDo counts with that.
+  void reportProgress(double stillToDo)
+  {
+    progress_ = std::max(progress_, 1 - stillToDo / static_cast<double>(region_.marked.size()));
+    context_.report(progress_, "removing points");
   }
 
   // The limits of a pass at a point: no better quality is asked for than the walls allow, and in the last
@@ -220,6 +223,7 @@ private:
   Traversal traversal_;
   std::vector<Index> ball_;
   std::vector<Index> made_;
+  double progress_ = 0;
 };
 
 bool patchesAreKnown(const TetMesh& mesh, const PatchTable& patches)
@@ -268,6 +272,7 @@ RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const Layer
       "a boundary triangle has a patch that the patch table does not have: give every patch a row");
     return result;
   }
+  context.report(0, "marking points");
   BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
   LayerRegion region = findLayerRegion(mesh, rules.classification, rules.changeable, plan, options.margin);
   if (region.marked.empty())

@@ -178,8 +178,14 @@ TEST_F(PointRemoval, StopsOnRequestAndLeavesAValidMesh)
   Context context;
   context.cancelled = [&asked]() { return ++asked > 1; };
   const RemovalResult result =
-    remove(grid_mesh::make({ 12, 12, 12, {}, 0.2 }), planWith(0.3, { ZLow }), context);
+    remove(grid_mesh::make({ 20, 20, 20, {}, 0.2 }), planWith(0.3, { ZLow }), context);
   EXPECT_EQ(result.outcome.kind, Outcome::Kind::Cancelled);
+  EXPECT_GT(result.removed, 0u);
+  EXPECT_FALSE(result.remaining.empty());
+  for (const Index v : result.remaining)
+  {
+    EXPECT_NE(mesh_.tetAt(v), None);
+  }
 }
 
 TEST_F(PointRemoval, ReportsProgressUpward)
