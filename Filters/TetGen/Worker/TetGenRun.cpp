@@ -181,6 +181,7 @@ std::unique_ptr<PointCache> sizes;
 
 bool isTooLarge(double* a, double* b, double* c, double* d, double*, double)
 {
+  sizes->watch();
   const double wanted = (sizes->sizeAt(a) + sizes->sizeAt(b) + sizes->sizeAt(c) + sizes->sizeAt(d)) / 4;
   const Vector3 u{ a[0] - d[0], a[1] - d[1], a[2] - d[2] };
   const Vector3 v{ b[0] - d[0], b[1] - d[1], b[2] - d[2] };
