@@ -12,10 +12,12 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkIsotropicTetMesher.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSphereSource.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -162,6 +164,32 @@ TEST_F(PointRemovalFilter, RunsOnItsOwnOutput)
   again->Update();
   EXPECT_EQ(errors.GetText(), "");
   EXPECT_LE(again->GetNumberOfMarkedPoints(), 1);
+}
+
+TEST_F(PointRemovalFilter, EmptiesTheSpaceAroundABodyThatTheMesherMeshed)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(24);
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  mesher->SetInputConnection(sphere->GetOutputPort());
+  mesher->SetFarField(true);
+  for (const double thickness : { 0.05, 0.1, 0.2 }) // edges are about 0.07
+  {
+    vtkNew<vtkRANSPointRemoval> removal;
+    removal->SetInputConnection(mesher->GetOutputPort());
+    removal->SetFirstHeight(1e-4);
+    removal->SetTotalThickness(thickness);
+    removal->SetIsotropicFraction(10);
+    ErrorCatcher errors(removal);
+    removal->Update();
+    EXPECT_EQ(errors.GetText(), "");
+    const vtkIdType marked = removal->GetNumberOfMarkedPoints();
+    EXPECT_GT(marked, 0);
+    EXPECT_LE(marked - removal->GetNumberOfRemovedPoints(), marked / 200) << "thickness " << thickness;
+    const auto faults = ransmesh::findFaults(this->Read(removal->GetOutput()));
+    EXPECT_TRUE(faults.none()) << faults.text();
+  }
 }
 
 TEST_F(PointRemovalFilter, RefusesAnEmptyInput)

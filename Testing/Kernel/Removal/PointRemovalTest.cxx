@@ -66,7 +66,7 @@ protected:
   {
     before_ = data;
     mesh_ = invariants::build(data);
-    const RemovalResult result = removePoints(mesh_, patches_, plan, {}, context);
+    RemovalResult result = removePoints(mesh_, patches_, plan, {}, context);
     invariants::expectValid(mesh_);
     after_ = toMeshData(mesh_);
     invariants::expectKept(before_, after_);
