@@ -1,9 +1,11 @@
-"""The real ParaView window on a display of its own: python3 gui.py PARAVIEW FOLDER
+"""The real ParaView window on a display of its own: python3 gui.py PARAVIEW FOLDER (script|menus)
 
-Runs gui_script.py in it and leaves a picture of the whole screen in FOLDER/window.png. Fails if the script
-did, or if the screen stayed empty. PLUGIN and NOSECONE name the plugin and the surface.
+Runs gui_script.py in it, or clicks what gui_menus.xml says, and leaves a picture of the whole screen in
+FOLDER/window.png. Fails if the script or a click did, or if the screen stayed empty. PLUGIN and NOSECONE name
+the plugin and the surface.
 """
 import os
+import re
 import struct
 import subprocess
 import sys
@@ -41,8 +43,16 @@ def write_png(path, width, height, rows):
                    chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
 
 
-def wait_for_script(process, folder):
+def said(folder):
+    """What ParaView has written so far."""
+    with open(os.path.join(folder, "output.txt"), encoding="utf-8", errors="replace") as file:
+        return file.read()
+
+
+def wait_for_end(process, folder):
     for _ in range(2 * START_LIMIT):
+        if "is finished. Success" in said(folder):
+            return "done" if re.search(r"Success =\s+true", said(folder)) else "failed", said(folder)
         for marker in ("done", "failed"):
             path = os.path.join(folder, marker)
             if os.path.exists(path):
@@ -54,26 +64,32 @@ def wait_for_script(process, folder):
     return "failed", "paraview's script did not come to its end"
 
 
-def start(program, folder):
+def start(program, folder, what):
     number_read, number_write = os.pipe()
     server = subprocess.Popen(["Xvfb", "-displayfd", str(number_write), "-screen", "0", SCREEN, "-fbdir", folder,
                                "-nolisten", "tcp"], pass_fds=[number_write], stderr=subprocess.DEVNULL)
     os.close(number_write)
     display = os.read(number_read, 16).decode().strip()
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "gui_script.py")
+    own = os.path.dirname(os.path.abspath(__file__))
     # A home of its own: no settings of the user's, and no window that greets.
     environment = dict(os.environ, DISPLAY=f":{display}", GUI_FOLDER=folder, HOME=folder)
-    return server, subprocess.Popen([program, "--dr", f"--script={script}",
-                                     "-qwindowgeometry", "1600x1000+0+0"], env=environment)
+    if what == "menus":
+        environment["PV_PLUGIN_PATH"] = os.path.dirname(environment["PLUGIN"])
+        options = [f"--data={environment['NOSECONE']}", f"--test-script={own}/gui_menus.xml"]
+    else:
+        options = [f"--script={own}/gui_script.py"]
+    with open(os.path.join(folder, "output.txt"), "w", encoding="utf-8") as output:
+        return server, subprocess.Popen([program, "--dr", *options, "-qwindowgeometry", "1600x1000+0+0"],
+                                        env=environment, stdout=output, stderr=output)
 
 
-def main(program, folder):
+def main(program, folder, what):
     for name in ("done", "failed", "window.png"):
         if os.path.exists(os.path.join(folder, name)):
             os.remove(os.path.join(folder, name))
-    server, paraview = start(program, folder)
+    server, paraview = start(program, folder, what)
     try:
-        marker, text = wait_for_script(paraview, folder)
+        marker, text = wait_for_end(paraview, folder)
         time.sleep(SETTLE)
         width, height, rows = read_screen(os.path.join(folder, "Xvfb_screen0"))
         write_png(os.path.join(folder, "window.png"), width, height, rows)

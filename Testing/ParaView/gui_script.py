@@ -23,6 +23,7 @@ def build():
     display = simple.Show(half, view)
     display.Representation = "Surface With Edges"
     simple.ColorBy(display, ("CELLS", "LayerId"))
+    display.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
     display.SetScalarBarVisibility(view, True)
     simple.SetActiveSource(removal)
     simple.Render(view)  # the first time the window chooses the camera
