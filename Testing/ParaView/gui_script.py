@@ -18,12 +18,18 @@ def build():
                                NumberOfLayers=30)
     enrichment = DirectionalEnrichment(registrationName="Layers", Input=removal)
     simple.UpdatePipeline(proxy=enrichment)
-    half = simple.Clip(registrationName="Half of it", Input=enrichment[0], Crinkleclip=1)
+    # Without the boundary triangles, which coincide with the tetrahedra's outer faces.
+    tetrahedra = MeshTetrahedra(registrationName="Tetrahedra", Input=enrichment[0])
+    half = simple.Clip(registrationName="Half of them", Input=tetrahedra, Crinkleclip=1)
     half.ClipType.Origin, half.ClipType.Normal, half.Invert = [0, 0, 0], [0, -1, 0], 1
     display = simple.Show(half, view)
     display.Representation = "Surface With Edges"
     simple.ColorBy(display, ("CELLS", "LayerId"))
-    display.LookupTable.ApplyPreset("Viridis (matplotlib)", True)
+    display.EdgeColor = [0.15, 0.17, 0.2]
+    # The field light, then from the wall outward.
+    display.LookupTable.RGBPoints = [0, 0.93, 0.93, 0.9, 0.5, 0.93, 0.93, 0.9, 1, 0.16, 0.22, 0.5,
+                                     15, 0.25, 0.7, 0.58, 30, 0.98, 0.86, 0.42]
+    display.LookupTable.ColorSpace = "RGB"
     display.SetScalarBarVisibility(view, True)
     simple.SetActiveSource(removal)
     simple.Render(view)  # the first time the window chooses the camera

@@ -63,6 +63,10 @@ assert controller.GetPreferredViewType(enrichment.SMProxy, 1) is None
 boundary_alone = MeshBoundary(Input=report)
 simple.UpdatePipeline(proxy=boundary_alone)
 assert Fetch(boundary_alone).GetNumberOfCells() == Fetch(enrichment, idx=1).GetNumberOfCells()
+tetrahedra = MeshTetrahedra(Input=report)
+simple.UpdatePipeline(proxy=tetrahedra)
+assert Fetch(tetrahedra).GetNumberOfCells() == \
+    Fetch(report).GetNumberOfCells() - Fetch(boundary_alone).GetNumberOfCells()
 
 # What is written can be read again.
 path = os.path.join(folder, "mesh.vtu")
