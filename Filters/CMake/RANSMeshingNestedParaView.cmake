@@ -26,5 +26,6 @@ endforeach()
 if(RANSMESHING_BUILD_TESTING)
   add_test(NAME ParaViewTree
     COMMAND "${CMAKE_CTEST_COMMAND}" --test-dir "${nested_dir}" --output-on-failure --no-tests=error)
-  set_tests_properties(ParaViewTree PROPERTIES LABELS paraview TIMEOUT 900)
+  # Two xvfb-run that start at once may choose the same display.
+  set_tests_properties(ParaViewTree PROPERTIES LABELS paraview TIMEOUT 900 RESOURCE_LOCK display)
 endif()
