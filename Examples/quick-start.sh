@@ -14,5 +14,5 @@ cmake --build --preset quick-start
 build=build/quick-start
 mkdir -p "$folder"
 "$build/bin/nosecone-surface" "$folder/nosecone.vtp"
-PYTHONPATH="$build/lib/python3/dist-packages" xvfb-run -a \
+PYTHONPATH="$build/lib/python3/dist-packages" xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" \
   /usr/bin/python3 -B Examples/Python/nosecone.py "$folder"

@@ -97,3 +97,20 @@ TEST(TetrahedronMeasures, anglesAgreeWithNormals)
   }
 }
 } // namespace
+
+TEST(TetrahedronMeasures, angleQualityCountsFlatCapsAsBad)
+{
+  using ransmesh::angleQuality;
+  using ransmesh::quality;
+  // The regular tetrahedron has no large angle: quality decides.
+  EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }), 1, 1e-12);
+  // Two triangles that meet in the edge a b and turn by 2 atan(h) there.
+  const auto cap = [](double h, auto measure) {
+    return measure({ 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, h }, { -1, 0, h });
+  };
+  const double h = std::tan(2.5 * 3.14159265358979 / 180);
+  EXPECT_NEAR(cap(h, angleQuality), 1 + std::cos(175 * 3.14159265358979 / 180), 1e-9);
+  EXPECT_GT(cap(h, quality), 0.05);
+  // A tetrahedron that is not positive stays so.
+  EXPECT_LE(angleQuality({ 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 }), 0);
+}
