@@ -108,4 +108,15 @@ TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c
   m.largestDihedral = angles.largest;
   return m;
 }
+
+double angleQuality(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+{
+  const double plain = quality(a, b, c, d);
+  if (!(plain > 0))
+  {
+    return plain;
+  }
+  constexpr double radians = 0.017453292519943295;
+  return std::min(plain, 1 + std::cos(largestDihedral(a, b, c, d) * radians));
+}
 } // namespace ransmesh

@@ -84,7 +84,8 @@ void GrowingCavity::undoGrowth()
 
 double GrowingCavity::qualityFrom(const OuterFace& face, const Vector3& apex) const
 {
-  return quality(mesh_.point(face.vertex[0]), mesh_.point(face.vertex[1]), mesh_.point(face.vertex[2]), apex);
+  return measure_(
+    mesh_.point(face.vertex[0]), mesh_.point(face.vertex[1]), mesh_.point(face.vertex[2]), apex);
 }
 
 double GrowingCavity::worstFrom(Index apex, double floor)

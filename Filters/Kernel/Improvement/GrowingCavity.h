@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boundary/Classification.h"
+#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Marks.h"
 #include "Mesh/Star.h"
 #include "Mesh/TetMesh.h"
@@ -29,9 +30,10 @@ struct BoundaryRules
 class GrowingCavity
 {
 public:
-  GrowingCavity(const TetMesh& mesh, const BoundaryRules& rules)
+  GrowingCavity(const TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = quality)
     : mesh_(mesh)
     , rules_(rules)
+    , measure_(measure)
   {
   }
 
@@ -73,6 +75,7 @@ private:
 
   const TetMesh& mesh_;
   const BoundaryRules& rules_;
+  ShapeMeasure measure_;
   Cavity cavity_;
   Marks inCavity_;
   std::vector<OuterFace> faces_;

@@ -12,9 +12,15 @@ double LocalImprovement::worstOf(std::span<const Index> tets) const
   double worst = std::numeric_limits<double>::infinity();
   for (const Index t : tets)
   {
-    worst = std::min(worst, qualityOf(mesh_, t));
+    worst = std::min(worst, shapeOf(t));
   }
   return worst;
+}
+
+double LocalImprovement::shapeOf(Index tet) const
+{
+  const auto& v = mesh_.tet(tet).vertex;
+  return measure_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
 }
 
 bool LocalImprovement::swap(Index tet)

@@ -12,12 +12,13 @@ namespace ransmesh
 class LocalImprovement
 {
 public:
-  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules)
+  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = quality)
     : mesh_(mesh)
     , rules_(rules)
+    , measure_(measure)
     , star_(mesh)
     , traversal_(mesh)
-    , cavity_(mesh, rules)
+    , cavity_(mesh, rules, measure)
   {
   }
 
@@ -33,6 +34,9 @@ public:
   // above what they were where that is less.
   bool moveTowards(Index v, const Vector3& place, double floor);
 
+  // The measure of one tetrahedron.
+  double shapeOf(Index tet) const;
+
   // The tetrahedra made by the last successful swap.
   const std::vector<Index>& made() const { return *made_; }
 
@@ -47,6 +51,7 @@ private:
 
   TetMesh& mesh_;
   const BoundaryRules& rules_;
+  ShapeMeasure measure_;
   Star star_;
   Traversal traversal_;
   GrowingCavity cavity_;

@@ -6,12 +6,13 @@ namespace ransmesh
 {
 namespace
 {
-constexpr double Poor = 0.15; // quality that is worth a try
+constexpr double Poor = 0.15; // angleQuality that is worth a try
 constexpr int Passes = 5;
 // A move may not make the worst quality at its point worse than this part of what it was.
 constexpr double Kept = 1.02;
 
-std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set)
+std::vector<Index> poorTetsAtTops(
+  const TetMesh& mesh, const ColumnSet& set, const LocalImprovement& improvement)
 {
   std::vector<Index> poor;
   for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
@@ -20,7 +21,7 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set)
     const Tetrahedron& tet = mesh.tet(t);
     const auto isTop = [&set](Index v) { return set.standingAt(v) != None; };
     if (tet.isAlive() && std::any_of(tet.vertex.begin(), tet.vertex.end(), isTop) &&
-      qualityOf(mesh, t) < Poor)
+      improvement.shapeOf(t) < Poor)
     {
       poor.push_back(t);
     }
@@ -32,15 +33,15 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set)
 std::size_t improveBeyondFront(
   TetMesh& mesh, const ColumnSet& set, const BoundaryRules& rules, const Context& context)
 {
-  LocalImprovement improvement(mesh, rules);
-  std::vector<Index> work = poorTetsAtTops(mesh, set);
+  LocalImprovement improvement(mesh, rules, angleQuality);
+  std::vector<Index> work = poorTetsAtTops(mesh, set, improvement);
   std::size_t changes = 0;
   for (int pass = 0; pass < Passes && !work.empty() && !context.stopped(); ++pass)
   {
     std::vector<Index> next;
     for (const Index t : work)
     {
-      if (!mesh.tet(t).isAlive() || !(qualityOf(mesh, t) < Poor))
+      if (!mesh.tet(t).isAlive() || !(improvement.shapeOf(t) < Poor))
       {
         continue;
       }

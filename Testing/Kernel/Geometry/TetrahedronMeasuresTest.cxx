@@ -103,7 +103,7 @@ TEST(TetrahedronMeasures, angleQualityCountsFlatCapsAsBad)
   using ransmesh::angleQuality;
   using ransmesh::quality;
   // The regular tetrahedron has no large angle: quality decides.
-  EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 }), 1, 1e-12);
+  EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { -1, 1, -1 }, { 1, -1, -1 }, { -1, -1, 1 }), 1, 1e-12);
   // Two triangles that meet in the edge a b and turn by 2 atan(h) there.
   const auto cap = [](double h, auto measure) {
     return measure({ 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, h }, { -1, 0, h });
