@@ -1,25 +1,13 @@
 #include "Insertion/EnrichmentChecks.h"
 
-#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Validation.h"
+#include "Support/Invariants.h"
 
 #include <algorithm>
 #include <array>
 
 namespace enrichment_checks
 {
-std::map<int, double> patchAreas(const MeshData& mesh)
-{
-  std::map<int, double> areas;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-  {
-    const auto& t = mesh.triangles[i];
-    const Vector3& a = mesh.points[t[0]];
-    areas[mesh.trianglePatch[i]] += norm(cross(mesh.points[t[1]] - a, mesh.points[t[2]] - a)) / 2;
-  }
-  return areas;
-}
-
 LayerPlan planFor(std::size_t patches, const std::set<int>& walls, double firstHeight, int layers)
 {
   LayerPlan plan(patches);
@@ -81,17 +69,7 @@ EnrichedMesh enrichAndCheck(
   EXPECT_TRUE(findFaults(mesh).none()) << findFaults(mesh).text();
   const Outcome outcome = enrich(mesh, patches, plan, {}, {}, enriched);
   EXPECT_TRUE(outcome.ok()) << outcome.message;
-  const MeshFaults faults = findFaults(enriched.mesh);
-  EXPECT_TRUE(faults.none()) << faults.text();
-  const double volume = totalVolume(mesh);
-  EXPECT_NEAR(totalVolume(enriched.mesh), volume, tolerance * volume);
-  const auto before = patchAreas(mesh);
-  const auto after = patchAreas(enriched.mesh);
-  EXPECT_EQ(before.size(), after.size());
-  for (const auto& [patch, area] : before)
-  {
-    EXPECT_NEAR(after.at(patch), area, tolerance * area) << "patch " << patch;
-  }
+  invariants::expectKept(mesh, enriched.mesh, tolerance);
   checkArrays(enriched);
   checkCounts(enriched);
   return enriched;

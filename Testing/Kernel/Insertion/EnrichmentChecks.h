@@ -12,8 +12,6 @@ namespace enrichment_checks
 {
 using namespace ransmesh;
 
-std::map<int, double> patchAreas(const MeshData& mesh);
-
 // Runs the stage and checks its invariants: validity, volume and patch areas (of plane-sided domains),
 // the arrays' sizes, prisms of at most three tetrahedra, counts that add up.
 EnrichedMesh enrichAndCheck(
