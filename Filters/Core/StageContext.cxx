@@ -23,7 +23,7 @@ Context makeContext(vtkAlgorithm* algorithm)
 #endif
   };
   context.log = [algorithm](const std::string& text)
-  { vtkLogF(INFO, "%s: %s", algorithm->GetClassName(), text.c_str()); };
+  { vtkVLogF(vtkLogger::VERBOSITY_1, "%s: %s", algorithm->GetClassName(), text.c_str()); };
   return context;
 }
 } // namespace ransmesh

@@ -11,7 +11,7 @@ class vtkAlgorithm;
 namespace ransmesh
 {
 // Progress goes to the algorithm's progress events, its abort flag stops the stage, remarks go to
-// VTK's log. The algorithm must outlive the context.
+// VTK's log at verbosity 1, which is silent by default. The algorithm must outlive the context.
 RANSMESHINGCORE_EXPORT Context makeContext(vtkAlgorithm* algorithm);
 } // namespace ransmesh
 
