@@ -7,6 +7,8 @@ namespace ransmesh
 namespace
 {
 constexpr double Poor = 0.15; // angleQuality that is worth a try
+// Above this quality no angle is so large; it spares computing the angles of most.
+constexpr double Suspect = 0.4;
 constexpr int Passes = 5;
 // A move may not make the worst quality at its point worse than this part of what it was.
 constexpr double Kept = 1.02;
@@ -21,7 +23,7 @@ std::vector<Index> poorTetsAtTops(
     const Tetrahedron& tet = mesh.tet(t);
     const auto isTop = [&set](Index v) { return set.standingAt(v) != None; };
     if (tet.isAlive() && std::any_of(tet.vertex.begin(), tet.vertex.end(), isTop) &&
-      improvement.shapeOf(t) < Poor)
+      qualityOf(mesh, t) < Suspect && improvement.shapeOf(t) < Poor)
     {
       poor.push_back(t);
     }
