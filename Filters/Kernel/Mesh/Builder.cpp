@@ -13,6 +13,11 @@ Outcome buildTetMesh(const MeshData& data, TetMesh& mesh)
   {
     return Outcome::badInput("the mesh is not valid: " + faults.text());
   }
+  if (!matching.sheets.empty())
+  {
+    return Outcome::internalFault(
+      "the mesh has triangles inside: it must be cut open along its sheets first");
+  }
   TetMesh built;
   built.reserve(data.points.size(), data.tetrahedra.size());
   for (const Vector3& x : data.points)

@@ -7,7 +7,8 @@
 namespace ransmesh
 {
 // Builds mesh from data. The outcome is BadInput, and mesh stays empty, when the arrays are not a valid
-// mesh by findFaults (Mesh/Validation.h). Vertex and tetrahedron numbers are kept; boundary face i is
+// mesh by findFaults (Mesh/Validation.h). A mesh with sheets must be cut open first (Boundary/Sheets.h): the
+// kernel knows triangles of the boundary only. Vertex and tetrahedron numbers are kept; boundary face i is
 // triangle i.
 Outcome buildTetMesh(const MeshData& data, TetMesh& mesh);
 } // namespace ransmesh

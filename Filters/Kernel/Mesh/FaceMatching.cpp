@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <set>
 
 namespace ransmesh
 {
@@ -128,11 +129,49 @@ void matchOneFace(const FaceBuckets::Entry* begin, const FaceBuckets::Entry* spl
     ++result.repeatedTriangles;
     noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->signedCode()));
   }
-  if (tets != 1 && triangles > 0)
+  if (tets == 2 && triangles > 0)
+  {
+    result.sheets.push_back({ boundaryFaceOf(split->signedCode()), begin->signedCode() });
+  }
+  else if (tets != 1 && triangles > 0)
   {
     ++result.trianglesOffTheBoundary;
     noteFirst(result.firstFaultyTriangle, boundaryFaceOf(split->signedCode()));
   }
+}
+
+// A patch is a sheet or a part of the boundary: triangles inside the mesh are wrong where others of their
+// patch lie on the boundary.
+void refuseMixedPatches(const MeshData& mesh, FaceMatching& result)
+{
+  if (result.sheets.empty())
+  {
+    return;
+  }
+  std::vector<char> isInside(mesh.triangles.size(), 0);
+  for (const SheetFace& sheet : result.sheets)
+  {
+    isInside[sheet.triangle] = 1;
+  }
+  std::set<int> boundaryPatches;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (!isInside[i])
+    {
+      boundaryPatches.insert(mesh.trianglePatch[i]);
+    }
+  }
+  std::erase_if(result.sheets,
+    [&](const SheetFace& sheet)
+    {
+      const bool mixed = boundaryPatches.contains(mesh.trianglePatch[sheet.triangle]);
+      if (mixed)
+      {
+        ++result.trianglesOffTheBoundary;
+        noteFirst(result.firstFaultyTriangle, sheet.triangle);
+      }
+      return mixed;
+    });
 }
 } // namespace
 
@@ -158,6 +197,7 @@ FaceMatching matchFaces(const MeshData& mesh)
       begin = next;
     }
   }
+  refuseMixedPatches(mesh, result);
   return result;
 }
 } // namespace ransmesh

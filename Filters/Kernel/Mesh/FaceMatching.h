@@ -7,11 +7,20 @@
 
 namespace ransmesh
 {
+// A triangle inside the mesh, and the face on one side of it.
+struct SheetFace
+{
+  Index triangle = None;
+  Index side = None; // 4 * tetrahedron + face
+};
+
 struct FaceMatching
 {
   // Of each face 4 * tetrahedron + face: the other side's face; -(triangle + 1) where a boundary
   // triangle covers it; Unmatched where neither does.
   std::vector<Index> opposite;
+  // The triangles of sheets: of patches all of whose triangles lie between two tetrahedra. In no order.
+  std::vector<SheetFace> sheets;
   // Faults, each with the number of the first tetrahedron or triangle that has it.
   std::size_t facesInMoreThanTwoTets = 0;
   std::size_t facesWithoutTriangle = 0;

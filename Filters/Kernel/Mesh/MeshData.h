@@ -16,7 +16,9 @@ struct MeshData
 {
   std::vector<Vector3> points;
   std::vector<std::array<Index, 4>> tetrahedra; // positive: orientation(v0, v1, v2, v3) > 0
-  std::vector<std::array<Index, 3>> triangles;  // the boundary, turned outward, away from the fluid
+  std::vector<std::array<Index, 3>> triangles;  // the boundary, turned outward, away from the fluid; sheets
   std::vector<int> trianglePatch;               // patch number (>= 1) of each triangle
+  // Cut open along its sheets (Boundary/Sheets.h): points may coincide there, and no triangle lies inside.
+  bool isOpened = false;
 };
 } // namespace ransmesh

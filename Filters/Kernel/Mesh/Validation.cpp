@@ -53,7 +53,7 @@ void checkPoints(const MeshData& mesh, MeshFaults& faults)
       note(faults.pointsUnused, v);
     }
   }
-  if (faults.pointsNotFinite)
+  if (faults.pointsNotFinite || mesh.isOpened)
   {
     return;
   }

@@ -31,7 +31,8 @@ struct MeshFaults
   std::string text() const;
 };
 
-// Complete: these invariants are the whole contract of a valid mesh. Gives the matching on request.
+// Complete: these invariants are the whole contract of a valid mesh. Triangles between two tetrahedra are
+// sheets, and right, if all triangles of their patch are so. Gives the matching on request.
 MeshFaults findFaults(const MeshData& mesh, FaceMatching* matching = nullptr);
 
 // The same for a mesh under change, with its links.

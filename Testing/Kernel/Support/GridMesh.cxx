@@ -1,8 +1,11 @@
 #include "Support/GridMesh.h"
 
+#include "Mesh/TetMesh.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace grid_mesh
 {
@@ -158,6 +161,28 @@ ransmesh::PatchTable patches(ransmesh::PatchType type, int count)
     table[i].name = i < 7 ? names[i] : "patch_" + std::to_string(i);
   }
   return table;
+}
+
+int addSheet(MeshData& mesh, const std::function<bool(const Vector3& middle)>& choice)
+{
+  const int patch = *std::max_element(mesh.trianglePatch.begin(), mesh.trianglePatch.end()) + 1;
+  std::set<std::array<Index, 3>> seen;
+  for (const auto& tet : mesh.tetrahedra)
+  {
+    for (const auto& corner : ransmesh::FaceCorners)
+    {
+      const std::array<Index, 3> face = { tet[corner[0]], tet[corner[1]], tet[corner[2]] };
+      const Vector3 middle = (1.0 / 3) * (mesh.points[face[0]] + mesh.points[face[1]] + mesh.points[face[2]]);
+      std::array<Index, 3> key = face;
+      std::sort(key.begin(), key.end());
+      if (choice(middle) && seen.insert(key).second)
+      {
+        mesh.triangles.push_back(face);
+        mesh.trianglePatch.push_back(patch);
+      }
+    }
+  }
+  return patch;
 }
 
 Vector3 turned(const Vector3& p)

@@ -44,5 +44,9 @@ MeshData make(const Grid& grid, const PatchOf& patchOf = {});
 // All sides of one type, under the names x_low to z_high.
 ransmesh::PatchTable patches(ransmesh::PatchType type, int count = 6);
 
+// Makes those faces between two tetrahedra a sheet, of the next free patch number, whose middles the choice
+// takes. Gives the number.
+int addSheet(MeshData& mesh, const std::function<bool(const Vector3& middle)>& choice);
+
 Vector3 turned(const Vector3& p); // to no axis
 } // namespace grid_mesh
