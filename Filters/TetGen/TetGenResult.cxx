@@ -2,6 +2,7 @@
 
 #include "Geometry/Predicates.h"
 #include "Mesh/FaceMatching.h"
+#include "Mesh/SpatialRenumbering.h"
 #include "Mesh/TetMesh.h"
 
 #include <algorithm>
@@ -180,8 +181,9 @@ AssembledMesh assemble(const worker::Result& result)
   {
     assembled.sheets.points = mesh.points;
   }
-  sortByPatch(mesh);
   dropUnusedPoints(mesh);
+  renumberSpatially(mesh);
+  sortByPatch(mesh);
   return assembled;
 }
 } // namespace ransmesh
