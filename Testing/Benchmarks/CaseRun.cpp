@@ -1,0 +1,211 @@
+#include "CaseRun.h"
+
+#include "Geometry/TetrahedronMeasures.h"
+#include "Mesh/Validation.h"
+#include "MeshConversion.h"
+#include "Support/DataContract.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkDirectionalEnrichment.h>
+#include <vtkFieldData.h>
+#include <vtkIsotropicTetMesher.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkRANSPointRemoval.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <stdexcept>
+
+namespace ransmesh_benchmarks
+{
+namespace
+{
+namespace contract = ransmesh::contract;
+
+double runStage(vtkAlgorithm* stage)
+{
+  std::string errors;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&errors);
+  listener->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+  const auto observer = stage->AddObserver(vtkCommand::ErrorEvent, listener);
+  const auto begin = std::chrono::steady_clock::now();
+  stage->Update();
+  stage->RemoveObserver(observer);
+  if (!errors.empty())
+  {
+    throw std::runtime_error(errors);
+  }
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void countColumns(vtkPolyData* boundary, CaseResult& result)
+{
+  vtkPointData* data = boundary->GetPointData();
+  vtkDataArray* asked = data->GetArray(contract::LayersAsked);
+  vtkDataArray* achieved = data->GetArray(contract::LayersAchieved);
+  vtkDataArray* reason = data->GetArray(contract::StopReason);
+  auto* names =
+    vtkStringArray::SafeDownCast(boundary->GetFieldData()->GetAbstractArray(contract::StopReasonNames));
+  for (vtkIdType i = 0; i < boundary->GetNumberOfPoints(); ++i)
+  {
+    if (asked->GetTuple1(i) > 0)
+    {
+      result.asked += static_cast<vtkIdType>(asked->GetTuple1(i));
+      ++result.columns;
+      result.fullColumns += achieved->GetTuple1(i) == asked->GetTuple1(i) ? 1 : 0;
+      ++result.stopReasons[names->GetValue(static_cast<vtkIdType>(reason->GetTuple1(i)))];
+    }
+  }
+}
+
+void measureAngles(const ransmesh::MeshData& mesh, vtkDataArray* layer, CaseResult& result)
+{
+  result.tetrahedra = static_cast<vtkIdType>(mesh.tetrahedra.size());
+  for (vtkIdType t = 0; t < result.tetrahedra; ++t)
+  {
+    const auto& v = mesh.tetrahedra[t];
+    const auto& p = mesh.points;
+    const double angle = ransmesh::largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]);
+    if (layer->GetTuple1(t) > 0)
+    {
+      ++result.layerTetrahedra;
+      result.over175 += angle > 175 ? 1 : 0;
+      result.over179 += angle > 179 ? 1 : 0;
+      result.largestAngle = std::max(result.largestAngle, angle);
+    }
+    else
+    {
+      result.largestAngleOutside = std::max(result.largestAngleOutside, angle);
+    }
+  }
+}
+
+using Face = std::array<ransmesh::Index, 3>;
+
+Face sorted(Face face)
+{
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+// The faces whose corners lie on three columns.
+std::set<Face> facesOfColumns(const ransmesh::MeshData& mesh, vtkDataArray* column)
+{
+  std::set<Face> faces;
+  for (const auto& t : mesh.tetrahedra)
+  {
+    for (int skip = 0; skip < 4; ++skip)
+    {
+      const Face face = { t[(skip + 1) % 4], t[(skip + 2) % 4], t[(skip + 3) % 4] };
+      const double c[3] = { column->GetTuple1(face[0]), column->GetTuple1(face[1]),
+        column->GetTuple1(face[2]) };
+      if (c[0] >= 0 && c[1] >= 0 && c[2] >= 0 && c[0] != c[1] && c[1] != c[2] && c[2] != c[0])
+      {
+        faces.insert(sorted(face));
+      }
+    }
+  }
+  return faces;
+}
+
+void countCopies(const ransmesh::MeshData& mesh, vtkDataArray* column, int layers, CaseResult& result)
+{
+  const std::set<Face> faces = facesOfColumns(mesh, column);
+  std::map<int, std::vector<ransmesh::Index>> pointsOf; // from the wall outward
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  {
+    pointsOf[static_cast<int>(column->GetTuple1(static_cast<vtkIdType>(i)))].push_back(
+      static_cast<ransmesh::Index>(i));
+  }
+  std::size_t wanted = 0;
+  std::size_t found = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    if (std::find(result.walls.begin(), result.walls.end(), mesh.trianglePatch[t]) == result.walls.end())
+    {
+      continue;
+    }
+    for (int level = 0; level <= layers; ++level, ++wanted)
+    {
+      Face face{};
+      bool isThere = true;
+      for (int i = 0; i < 3; ++i)
+      {
+        const int c = static_cast<int>(column->GetTuple1(mesh.triangles[t][i]));
+        const auto& points = pointsOf[c];
+        isThere = isThere && c >= 0 && static_cast<int>(points.size()) > level;
+        face[i] = isThere ? points[level] : 0;
+      }
+      found += isThere && faces.count(sorted(face)) > 0 ? 1 : 0;
+    }
+  }
+  result.copiesOfWallFaces = wanted > 0 ? static_cast<double>(found) / static_cast<double>(wanted) : 0;
+}
+
+void judge(vtkPolyData* boundary, int layers, CaseResult& result)
+{
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  if (const ransmesh::Outcome outcome = ransmesh::readMesh(result.mesh, mesh, patches); !outcome.ok())
+  {
+    throw std::runtime_error(outcome.message);
+  }
+  const ransmesh::LayerPlan plan = ransmesh::readPlan(result.mesh->GetFieldData());
+  for (std::size_t i = 1; i < plan.size(); ++i)
+  {
+    if (plan[i].hasLayers())
+    {
+      result.walls.push_back(static_cast<int>(i));
+    }
+  }
+  const ransmesh::MeshFaults faults = ransmesh::findFaults(mesh);
+  result.faults = faults.none() ? "" : faults.text();
+  countColumns(boundary, result);
+  measureAngles(mesh, result.mesh->GetCellData()->GetArray(contract::LayerId), result);
+  countCopies(mesh, result.mesh->GetPointData()->GetArray(contract::ColumnId), layers, result);
+}
+} // namespace
+
+CaseResult runCase(vtkPolyData* surface, const CaseOptions& options)
+{
+  CaseResult result;
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  vtkNew<vtkRANSPointRemoval> removal;
+  vtkNew<vtkDirectionalEnrichment> enrichment;
+  mesher->SetInputData(surface);
+  mesher->SetFarField(options.farField);
+  mesher->SetSurfaceEdgeLength(options.surfaceSize);
+  removal->SetInputConnection(mesher->GetOutputPort());
+  removal->SetFirstHeight(options.firstHeight);
+  removal->SetGrowthRate(options.growth);
+  removal->SetNumberOfLayers(options.layers);
+  for (const std::string& pattern : options.walls)
+  {
+    removal->AddWallPatch(pattern.c_str());
+  }
+  enrichment->SetInputConnection(removal->GetOutputPort());
+  mesher->ReleaseDataFlagOn();
+  removal->ReleaseDataFlagOn();
+  vtkAlgorithm* stages[] = { mesher, removal, enrichment };
+  for (int i = 0; i < 3; ++i)
+  {
+    result.seconds[i] = runStage(stages[i]);
+  }
+  result.marked = removal->GetNumberOfMarkedPoints();
+  result.removed = removal->GetNumberOfRemovedPoints();
+  result.requested = enrichment->GetNumberOfRequestedPoints();
+  result.inserted = enrichment->GetNumberOfInsertedPoints();
+  result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));
+  judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
+  return result;
+}
+} // namespace ransmesh_benchmarks

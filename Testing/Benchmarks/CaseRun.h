@@ -1,0 +1,52 @@
+// A surface put through the filters one after the other, and what the layers became.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace ransmesh_benchmarks
+{
+struct CaseOptions
+{
+  bool farField = false;
+  std::vector<std::string> walls; // patterns; none: all patches of type wall
+  double firstHeight = 1e-5;
+  double growth = 1.2;
+  int layers = 25;
+  double surfaceSize = 0; // to which the surface is remeshed; 0: kept
+};
+
+struct CaseResult
+{
+  vtkSmartPointer<vtkUnstructuredGrid> mesh;
+  std::array<double, 3> seconds{}; // mesher, removal, enrichment
+  vtkIdType marked = 0;            // points that removal was to take out
+  vtkIdType removed = 0;
+  vtkIdType requested = 0; // points of layers, after the limits
+  vtkIdType inserted = 0;
+  vtkIdType asked = 0; // the same before the limits
+  vtkIdType columns = 0;
+  vtkIdType fullColumns = 0;
+  std::map<std::string, int> stopReasons; // columns by reason
+  std::vector<int> walls;                 // patch numbers
+  vtkIdType tetrahedra = 0;
+  vtkIdType layerTetrahedra = 0;
+  vtkIdType over175 = 0; // of these, by their largest dihedral angle
+  vtkIdType over179 = 0;
+  double largestAngle = 0;        // in the layers, degrees
+  double largestAngleOutside = 0; // in the other tetrahedra
+  double copiesOfWallFaces =
+    0;                // share of the copies of wall triangles, at all levels asked for, that are faces
+  std::string faults; // what is not valid; empty: nothing
+};
+
+// Throws std::runtime_error with the message of the stage that fails.
+CaseResult runCase(vtkPolyData* surface, const CaseOptions& options);
+} // namespace ransmesh_benchmarks

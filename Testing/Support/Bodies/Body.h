@@ -1,0 +1,15 @@
+// A closed triangulated surface with named patches: what tests and benchmarks put through the chain.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Boundary/SurfaceMesh.h"
+
+namespace bodies
+{
+struct Body
+{
+  ransmesh::SurfaceMesh surface;
+  ransmesh::PatchTable patches;
+  bool farField = false; // a body to be put into a box; else the surface bounds the fluid
+};
+} // namespace bodies

@@ -1,0 +1,153 @@
+#include "Bodies/Cases.h"
+
+#include "Bodies/Blocks.h"
+#include "Bodies/Junctions.h"
+#include "Bodies/Rounds.h"
+#include "Bodies/Wings.h"
+
+#include <cmath>
+
+namespace bodies
+{
+namespace
+{
+constexpr Goals smooth = { 1, 1, 2e-5, 0 };
+constexpr Goals cavities = { 1, 0.9999, 1e-4, 0 };
+constexpr Goals wings = { 0.99999, 0.999, 5e-4, 1e-4 };
+constexpr Goals ridges = { 0.99999, 0.999, 1e-3, 2e-4 };
+constexpr Goals junctions = { 0.9999, 0.995, 1e-3, 2e-4 };
+constexpr Goals gaps = { 0.99999, 0.995, 1e-3, 2e-4 };
+
+// A case that does not depend on the layers.
+Case plain(const char* name, std::function<Body(double)> make, const Goals& goals, double testSize = 0.12)
+{
+  Case result;
+  result.name = name;
+  result.make = [make = std::move(make)](double size, const Layers&) { return make(size); };
+  result.goals = goals;
+  result.testSize = testSize;
+  return result;
+}
+
+// The same with layers of so many edge lengths.
+Case thick(Case base, const char* suffix, double thickness)
+{
+  base.name += suffix;
+  base.thickness = thickness;
+  return base;
+}
+
+void addSmooth(std::vector<Case>& cases)
+{
+  const Case shapes[] = { plain(
+                            "plate", [](double size) { return plate(size, 0.5); }, smooth),
+    plain(
+      "plate-noise", [](double size) { return plate(size, 0.5, 0.025); }, smooth),
+    plain("sphere", sphereOfSize, smooth), plain("pipe", pipe, smooth) };
+  for (const Case& shape : shapes)
+  {
+    cases.push_back(shape);
+    cases.push_back(thick(shape, "-thick0.3", 0.3));
+    cases.push_back(thick(shape, "-thick1", 1));
+    cases.push_back(thick(shape, "-thick2", 2));
+  }
+}
+
+void addCavities(std::vector<Case>& cases)
+{
+  for (const bool six : { false, true })
+  {
+    const std::string walls = six ? "-six" : "-four";
+    cases.push_back(
+      plain(("cavity" + walls).c_str(), [six](double size) { return cavity(size, six); }, cavities));
+    cases.push_back(
+      plain(("rhomb" + walls).c_str(), [six](double size) { return cavity(size, six, 60); }, cavities));
+  }
+  cases.push_back(thick(plain(
+                          "cavity-four", [](double size) { return cavity(size, false); }, cavities),
+    "-thick1.5", 1.5));
+  cases.push_back(thick(plain(
+                          "rhomb-four", [](double size) { return cavity(size, false, 60); }, cavities),
+    "-thick1.5", 1.5));
+}
+
+void addSharp(std::vector<Case>& cases)
+{
+  cases.push_back(plain(
+    "wing", [](double size) { return wing(size, TrailingEdge::Sharp, Tip::Flat); }, wings));
+  cases.push_back(plain(
+    "wing-blunt", [](double size) { return wing(size, TrailingEdge::Blunt, Tip::Flat); }, wings));
+  cases.push_back(plain(
+    "wing-round", [](double size) { return wing(size, TrailingEdge::Sharp, Tip::Round); }, wings));
+  cases.push_back(plain(
+    "wing-half", [](double size) { return halfWing(size, TrailingEdge::Sharp, Tip::Flat); }, wings));
+  cases.push_back(plain("corner", corner, ridges));
+  cases.push_back(plain("step", step, ridges));
+  cases.push_back(plain("fins", fins, ridges, 0.1));
+  cases.push_back(plain("cube", cube, ridges));
+  cases.push_back(plain("cone", cone, ridges));
+  cases.push_back(plain("cone-inside", insideOfCone, ridges));
+  cases.push_back(plain("pipe-junction", pipeJunction, junctions));
+  cases.push_back(plain("wing-fuselage", wingOnFuselage, junctions));
+}
+
+void addGaps(std::vector<Case>& cases)
+{
+  for (const char* share : { "2", "1", "0.5", "0.1" })
+  {
+    const double layersThick = std::atof(share);
+    const auto add = [&](const char* name, Body (*make)(double, double))
+    {
+      Case result;
+      result.name = std::string(name) + "-gap" + share;
+      result.make = [make, layersThick](double size, const Layers& layers)
+      { return make(size, layersThick * layers.thickness()); };
+      result.goals = gaps;
+      cases.push_back(result);
+    };
+    add("plates", twoPlates);
+    add("spheres", twoSpheres);
+    add("channel", channel);
+  }
+  cases.push_back(plain("cylinder-floor", cylinderOnFloor, gaps));
+}
+} // namespace
+
+double Layers::thickness() const
+{
+  return growth == 1 ? firstHeight * number : firstHeight * (std::pow(growth, number) - 1) / (growth - 1);
+}
+
+Layers layersOfThickness(double thickness)
+{
+  Layers layers;
+  layers.firstHeight *= thickness / layers.thickness();
+  return layers;
+}
+
+const std::vector<Case>& allCases()
+{
+  static const std::vector<Case> cases = []
+  {
+    std::vector<Case> result;
+    addSmooth(result);
+    addCavities(result);
+    addSharp(result);
+    addGaps(result);
+    return result;
+  }();
+  return cases;
+}
+
+const Case* findCase(const std::string& name)
+{
+  for (const Case& c : allCases())
+  {
+    if (c.name == name)
+    {
+      return &c;
+    }
+  }
+  return nullptr;
+}
+} // namespace bodies
