@@ -46,7 +46,8 @@ Body plate(double size, double height, double noise)
     { { Axis({ 0, 1 }, size), Axis({ 0, 1 }, size), Axis({ 0, height }, size) }, {},
       [&](const Vector3& p) { return isNear(p.z, 0)   ? wall
                                 : isNear(p.z, height) ? lid
-                                                      : side; }, {} });
+                                                      : sides.at(p); },
+      {} });
   Body body = builder.finish(false);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> shift(-noise * size, noise * size);
