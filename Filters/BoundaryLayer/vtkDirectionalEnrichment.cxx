@@ -41,6 +41,7 @@ int vtkDirectionalEnrichment::RequestData(
   ransmesh::EnrichedMesh enriched;
   ransmesh::EnrichmentOptions options;
   options.gapFraction = this->GapFraction;
+  options.maximumSurfaceAngle = this->MaximumSurfaceAngle;
 
   ransmesh::Outcome outcome = ransmesh::readMesh(input, mesh, patches);
   if (outcome.ok())

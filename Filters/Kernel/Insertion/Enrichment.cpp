@@ -6,6 +6,7 @@
 #include "Layers/ColumnBuilder.h"
 #include "Layers/ColumnLimits.h"
 #include "Layers/LayerPlanning.h"
+#include "Layers/SideColumns.h"
 #include "Mesh/Builder.h"
 #include "Mesh/Validation.h"
 #include "Support/Numbers.h"
@@ -27,6 +28,7 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
   const BoundaryStars stars(mesh);
   ColumnSet set = buildColumns(mesh, stars, patches, plan);
   limitByIsotropicSize(plan, set);
+  followSides(mesh, stars, plan, options.gapFraction, set);
   limitByGap(mesh, stars, options.gapFraction, set);
   limitBySlope(mesh, stars, set);
   for (Column& c : set.columns)
@@ -73,6 +75,11 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     return Outcome::badInput("the gap fraction is " + textOf(options.gapFraction) +
       "; it must lie above 0 and not exceed 0.5: set GapFraction");
   }
+  if (!(options.maximumSurfaceAngle >= 0 && options.maximumSurfaceAngle <= 90))
+  {
+    return Outcome::badInput("the maximum surface angle is " + textOf(options.maximumSurfaceAngle) +
+      "; it must lie between 0 and 90 degrees: set MaximumSurfaceAngle");
+  }
   LevelCaps caps(input.points.size(), MaximumNumberOfLayers);
   for (int attempt = 0; attempt < MostRestarts; ++attempt)
   {
@@ -89,7 +96,8 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     enriched.report.restarts = attempt;
     enriched.report.columns = set.columns.size();
     enriched.report.pointsRequested = countPoints(set);
-    if (!raiseFront(mesh, set, rules.classification, context, enriched.report.raising))
+    if (!raiseFront(
+          mesh, set, rules.classification, options.maximumSurfaceAngle, context, enriched.report.raising))
     {
       return Outcome::cancelled();
     }

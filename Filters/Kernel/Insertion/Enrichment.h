@@ -19,7 +19,8 @@ namespace ransmesh
 {
 struct EnrichmentOptions
 {
-  double gapFraction = defaults::gapFraction; // (0, 0.5]
+  double gapFraction = defaults::gapFraction;                 // (0, 0.5]
+  double maximumSurfaceAngle = defaults::maximumSurfaceAngle; // degrees, [0, 90]
 };
 
 // What became of one point of a wall.

@@ -39,7 +39,7 @@ Front::Front(const TetMesh& mesh, const ColumnSet& set)
 Vector3 Front::position(Index column, double share) const
 {
   const Column& c = set_.columns[column];
-  return share >= 1 ? set_.pointAt(c, c.levels) : c.base + (share * set_.thickness(c)) * c.direction;
+  return share >= 1 ? set_.pointAt(c, c.levels) : set_.pointAtHeight(c, share * set_.thickness(c));
 }
 
 bool Front::slabAllows(Index column, const Vector3& x) const

@@ -16,11 +16,13 @@ constexpr double FlattestKept = 0.01;
 constexpr double ShareOfPoor = 0.3;
 } // namespace
 
-FrontMoves::FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification& classes, Front& front)
+FrontMoves::FrontMoves(
+  TetMesh& mesh, const ColumnSet& set, const Classification& classes, const SideTurns& turns, Front& front)
   : mesh_(mesh)
   , set_(set)
   , classes_(classes)
   , front_(front)
+  , sides_(mesh, classes, turns)
   , star_(mesh)
   , traversal_(mesh)
   , firstQuality_(set.columns.size(), -1)
@@ -56,19 +58,23 @@ MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& e
   traversal_.ball(c.vertex, ball_);
   const double before = worstQuality(ball_);
   const Vector3 old = mesh_.point(c.vertex);
+  sides_.remember(c, ball_);
   mesh_.movePoint(c.vertex, x);
   const double after = worstQuality(ball_);
-  if (after > GoodQuality ||
-    (after >= QualityKept * before && after > floorFor(column, FlattestKept, before)))
+  const bool sidesHold = sides_.allowsMove();
+  const bool isGood =
+    after > GoodQuality || (after >= QualityKept * before && after > floorFor(column, FlattestKept, before));
+  if (sidesHold && isGood)
   {
     return MoveVerdict::Moved;
   }
   const double least = floorFor(column, effort.leastQuality, before);
-  if (restar(c, std::max(after, least), effort.cavityGrowth))
+  const double wanted = sidesHold ? std::max(after, least) : least;
+  if (restar(c, wanted, effort.cavityGrowth, sidesHold))
   {
     return MoveVerdict::Restarred;
   }
-  if (after > least)
+  if (sidesHold && after > least)
   {
     return MoveVerdict::Moved;
   }
@@ -79,7 +85,7 @@ MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& e
 // Stars the ball of the column's top, which stands at its new place already, from the vertex that
 // leaves the best tetrahedra; the cavity grows through faces below the quality wanted. Isotropic points
 // inside vanish.
-bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth)
+bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth, bool sidesHold)
 {
   Cavity best;
   Index bestApex = None;
@@ -87,7 +93,7 @@ bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth)
   {
     double worst = 0;
     if (!buildCavity(column, apex, wanted, growth, worst) || !(worst > wanted) ||
-      star_.check(cavity_, apex) != StarVerdict::Possible || !mayLose(column, apex))
+      star_.check(cavity_, apex) != StarVerdict::Possible || !mayStar(column, apex, sidesHold))
     {
       continue;
     }
@@ -175,6 +181,13 @@ bool FrontMoves::buildCavity(
     }
   }
   return worst < std::numeric_limits<double>::infinity();
+}
+
+// Starred from elsewhere, the sides' faces at the top stay as they are: they must hold then.
+bool FrontMoves::mayStar(const Column& column, Index apex, bool sidesHold)
+{
+  return (sidesHold || apex == column.vertex) && mayLose(column, apex) &&
+    sides_.allowsStar(cavity_, column.vertex, star_.lostVertices());
 }
 
 // Only isotropic points may vanish: those of the volume, and those of the column's own sides when the

@@ -3,6 +3,7 @@
 
 #include "Boundary/Classification.h"
 #include "Insertion/Front.h"
+#include "Insertion/SideStar.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
@@ -27,7 +28,8 @@ enum class MoveVerdict
 class FrontMoves
 {
 public:
-  FrontMoves(TetMesh& mesh, const ColumnSet& set, const Classification& classes, Front& front);
+  FrontMoves(
+    TetMesh& mesh, const ColumnSet& set, const Classification& classes, const SideTurns& turns, Front& front);
 
   // Moves the column's top to x, if that can be done; otherwise changes nothing.
   MoveVerdict move(Index column, const Vector3& x, const MoveEffort& effort);
@@ -40,8 +42,9 @@ public:
 private:
   double worstQuality(const std::vector<Index>& tets) const;
   double floorFor(Index column, double leastQuality, double before);
-  bool restar(const Column& column, double wanted, std::size_t growth);
+  bool restar(const Column& column, double wanted, std::size_t growth, bool sidesHold);
   bool buildCavity(const Column& column, Index apex, double wanted, std::size_t growth, double& worst);
+  bool mayStar(const Column& column, Index apex, bool sidesHold);
   bool mayLose(const Column& column, Index apex) const;
   bool isStarred(const Column& column, Index apex, HalfFace beyond) const;
   std::vector<Index> apexCandidates(Index vertex) const;
@@ -50,6 +53,7 @@ private:
   const ColumnSet& set_;
   const Classification& classes_;
   Front& front_;
+  SideStar sides_;
   Star star_;
   Traversal traversal_;
   Marks inCavity_;

@@ -28,13 +28,15 @@ constexpr MoveEffort Efforts[3] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 } };
 class Raiser
 {
 public:
-  Raiser(TetMesh& mesh, ColumnSet& set, const Classification& classes, RaisingReport& report)
+  Raiser(TetMesh& mesh, ColumnSet& set, const Classification& classes, double maximumSurfaceAngle,
+    RaisingReport& report)
     : mesh_(mesh)
     , set_(set)
     , report_(report)
     , front_(mesh, set)
-    , joint_(mesh, set, front_)
-    , moves_(mesh, set, classes, front_)
+    , turns_(mesh, set, maximumSurfaceAngle)
+    , joint_(mesh, set, turns_, front_)
+    , moves_(mesh, set, classes, turns_, front_)
     , steps_(set.columns.size(), 0)
     , refusals_(set.columns.size(), 0)
     , nextStep_(set.columns.size(), 1)
@@ -171,6 +173,7 @@ private:
   ColumnSet& set_;
   RaisingReport& report_;
   Front front_;
+  SideTurns turns_;
   JointMove joint_;
   FrontMoves moves_;
   std::vector<int> steps_;
@@ -180,10 +183,10 @@ private:
 };
 } // namespace
 
-bool raiseFront(
-  TetMesh& mesh, ColumnSet& set, const Classification& classes, const Context& context, RaisingReport& report)
+bool raiseFront(TetMesh& mesh, ColumnSet& set, const Classification& classes, double maximumSurfaceAngle,
+  const Context& context, RaisingReport& report)
 {
-  Raiser raiser(mesh, set, classes, report);
+  Raiser raiser(mesh, set, classes, maximumSurfaceAngle, report);
   return raiser.run(context);
 }
 } // namespace ransmesh

@@ -23,7 +23,8 @@ struct RaisingReport
 // then, where that would spoil the mesh beyond, one by one with changes of connectivity. The mesh is
 // valid at every moment. A top that gets stuck ends on the highest level that it reaches, and its column
 // is cut there (StopReason::Refused). Afterwards the wall's vertices are the tops of their columns.
-// False if cancelled; the mesh is then of no use.
-bool raiseFront(TetMesh& mesh, ColumnSet& set, const Classification& classes, const Context& context,
-  RaisingReport& report);
+// No triangle of a curved side turns away from the side's surface by more than maximumSurfaceAngle
+// (degrees). False if cancelled; the mesh is then of no use.
+bool raiseFront(TetMesh& mesh, ColumnSet& set, const Classification& classes, double maximumSurfaceAngle,
+  const Context& context, RaisingReport& report);
 } // namespace ransmesh

@@ -11,13 +11,15 @@ std::size_t JointMove::run(const std::vector<double>& target)
 {
   place(target);
   const std::vector<Index> tets = tetsAtMovedTops();
+  const std::vector<Index> sideFaces = sideFacesAtMovedTops();
   // What is taken back changes its neighbours' tetrahedra: again, until all are well. In the worst case
   // every top is back where it was.
   for (bool again = true; again;)
   {
     const bool folded = takeBackAtFoldedFaces();
     const bool spoiled = takeBackAtSpoiledTets(tets);
-    again = folded || spoiled;
+    const bool turned = takeBackAtTurnedFaces(sideFaces);
+    again = folded || spoiled || turned;
   }
   return static_cast<std::size_t>(std::count(moved_.begin(), moved_.end(), 1));
 }
@@ -73,6 +75,49 @@ bool JointMove::takeBackAtFoldedFaces()
     }
   }
   return any;
+}
+
+std::vector<Index> JointMove::sideFacesAtMovedTops() const
+{
+  std::vector<Index> faces;
+  for (std::size_t i = 0; turns_.anyCurved() && i < mesh_.boundarySlots(); ++i)
+  {
+    const auto b = static_cast<Index>(i);
+    if (!mesh_.boundaryFace(b).isAlive() || !turns_.isCurved(mesh_.boundaryFace(b).patch))
+    {
+      continue;
+    }
+    const auto v = mesh_.boundaryVertices(b);
+    if (std::any_of(v.begin(), v.end(), [this](Index w) { return hasMoved(set_.ofVertex[w]); }))
+    {
+      faces.push_back(b);
+    }
+  }
+  return faces;
+}
+
+bool JointMove::takeBackAtTurnedFaces(const std::vector<Index>& sideFaces)
+{
+  bool any = false;
+  for (const Index b : sideFaces)
+  {
+    const auto v = mesh_.boundaryVertices(b);
+    const bool concerned =
+      std::any_of(v.begin(), v.end(), [this](Index w) { return hasMoved(set_.ofVertex[w]); });
+    if (concerned && isTurned(b))
+    {
+      std::for_each(v.begin(), v.end(), [this](Index w) { takeBack(set_.ofVertex[w]); });
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool JointMove::isTurned(Index sideFace) const
+{
+  const auto v = mesh_.boundaryVertices(sideFace);
+  return !turns_.allows(turns_.faithfulness(sideFace),
+    turns_.faithfulness(mesh_.boundaryFace(sideFace).patch, v, { before(v[0]), before(v[1]), before(v[2]) }));
 }
 
 bool JointMove::takeBackAtSpoiledTets(const std::vector<Index>& tets)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Insertion/Front.h"
+#include "Insertion/SideTurns.h"
 
 #include <vector>
 
@@ -10,21 +11,25 @@ namespace ransmesh
 class JointMove
 {
 public:
-  JointMove(TetMesh& mesh, const ColumnSet& set, Front& front)
+  JointMove(TetMesh& mesh, const ColumnSet& set, const SideTurns& turns, Front& front)
     : mesh_(mesh)
     , set_(set)
+    , turns_(turns)
     , front_(front)
   {
   }
 
   // Moves every top to its target share, if that is above the one that it has; leaves out those that
-  // would fold the slab, turn a tetrahedron over or make a poor one poorer. Gives the number moved.
+  // would fold the slab, turn a curved side away from its surface, turn a tetrahedron over or make a poor one poorer. Gives the number moved.
   std::size_t run(const std::vector<double>& target);
 
 private:
   void place(const std::vector<double>& target);
   std::vector<Index> tetsAtMovedTops() const;
   bool takeBackAtFoldedFaces();
+  std::vector<Index> sideFacesAtMovedTops() const;
+  bool takeBackAtTurnedFaces(const std::vector<Index>& sideFaces);
+  bool isTurned(Index sideFace) const;
   bool takeBackAtSpoiledTets(const std::vector<Index>& tets);
   bool isSpoiled(const std::array<Index, 4>& vertices) const;
   void takeBack(Index column);
@@ -33,6 +38,7 @@ private:
 
   TetMesh& mesh_;
   const ColumnSet& set_;
+  const SideTurns& turns_;
   Front& front_;
   std::vector<char> moved_;
   std::vector<double> oldShare_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Layers/LayerSpecification.h"
+#include "Layers/SidePath.h"
 #include "Mesh/MeshData.h"
 
 #include <array>
@@ -35,6 +36,7 @@ struct Column
   Vector3 direction;                // the step that rises by one above the wall faces
   int patch = 0;                    // whose heights it follows
   std::array<int, 2> sides{ 0, 0 }; // adjoining patches that it stays in; 0: none
+  Index path = None;                // its path where it follows curved sides; None: it is straight
   double size = 0;                  // mean length of the wall's edges here
   int asked = 0;                    // layers asked for
   int levels = 0;                   // layers that it is to have, or has
@@ -57,13 +59,15 @@ struct ColumnSet
   std::vector<Column> columns;       // in order of vertex number
   std::vector<Index> ofVertex;       // the column on each vertex, or None
   std::vector<LayerHeights> heights; // by patch
+  std::vector<SidePath> paths;       // of columns in curved sides
 
   const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
   double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }
   // The one place that computes where a level's point is.
-  Vector3 pointAt(const Column& c, int level) const
+  Vector3 pointAt(const Column& c, int level) const { return pointAtHeight(c, heightsOf(c).height(level)); }
+  Vector3 pointAtHeight(const Column& c, double height) const
   {
-    return c.base + heightsOf(c).height(level) * c.direction;
+    return c.path == None ? c.base + height * c.direction : paths[c.path].at(height);
   }
   // The column at v if it has at least one layer, else None.
   Index standingAt(Index v) const

@@ -1,5 +1,7 @@
 #include "Layers/ColumnBuilder.h"
 
+#include "Boundary/SurfaceNormals.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +16,6 @@ constexpr double LeastVisibility = 0.1;
 // Above it the weighted normal is good enough as it is.
 constexpr double GoodVisibility = 0.7;
 constexpr double LargestScale = 2;
-// Normals of a side's faces that differ by more than this make it curved.
-constexpr double PlaneCosine = 0.99985; // 1 degree
 
 // What stands around one wall vertex.
 struct Surroundings
@@ -49,55 +49,49 @@ Surroundings look(Index v, const TetMesh& mesh, const BoundaryStars& stars, cons
   return s;
 }
 
-Vector3 weightedNormal(const std::vector<FaceAtVertex>& faces)
-{
-  Vector3 n;
-  for (const FaceAtVertex& f : faces)
-  {
-    n += f.angle * f.normal;
-  }
-  return normalized(n);
-}
-
-// The faces of one adjoining patch, seen as a plane.
+// Faces of one adjoining patch without a ridge between them, seen as a plane.
 struct Side
 {
   int patch = 0;
-  Vector3 normal; // unit, into the fluid
-  bool isPlane = true;
+  Vector3 normal;  // unit, into the fluid
   double rise = 0; // cosine between the wall's normal and the way into the side
 };
 
-std::vector<Side> findSides(const std::vector<FaceAtVertex>& others, const Vector3& wallNormal)
+std::vector<Side> findGroups(std::vector<FaceAtVertex> others, const Vector3& wallNormal)
 {
+  std::stable_sort(others.begin(), others.end(),
+    [](const FaceAtVertex& a, const FaceAtVertex& b) { return a.patch < b.patch; });
   std::vector<Side> sides;
-  std::vector<int> seen;
-  for (const FaceAtVertex& f : others)
+  for (auto begin = others.begin(); begin != others.end();)
   {
-    if (std::find(seen.begin(), seen.end(), f.patch) != seen.end())
+    const auto end =
+      std::find_if(begin, others.end(), [&begin](const FaceAtVertex& f) { return f.patch != begin->patch; });
+    for (const auto& group : smoothGroups({ begin, end }))
     {
-      continue;
+      Vector3 middle;
+      for (const FaceAtVertex& face : group)
+      {
+        middle += face.angle * face.middle;
+      }
+      sides.push_back({ begin->patch, weightedNormal(group), dot(normalized(middle), wallNormal) });
     }
-    seen.push_back(f.patch);
-    std::vector<FaceAtVertex> faces;
-    std::copy_if(others.begin(), others.end(), std::back_inserter(faces),
-      [&f](const FaceAtVertex& g) { return g.patch == f.patch; });
-    Side side;
-    side.patch = f.patch;
-    side.normal = weightedNormal(faces);
-    Vector3 middle;
-    for (const FaceAtVertex& g : faces)
-    {
-      middle += g.angle * g.middle;
-      side.isPlane = side.isPlane && dot(g.normal, side.normal) > PlaneCosine;
-    }
-    side.rise = dot(normalized(middle), wallNormal);
-    if (side.rise > SideRise)
-    {
-      sides.push_back(side);
-    }
+    begin = end;
   }
   return sides;
+}
+
+// The groups that rise from the wall. Not to be told apart from there on: groups of one patch, of which
+// only some rise; then false.
+bool findSides(const std::vector<FaceAtVertex>& others, const Vector3& wallNormal, std::vector<Side>& sides)
+{
+  std::vector<Side> flat;
+  for (const Side& group : findGroups(others, wallNormal))
+  {
+    (group.rise > SideRise ? sides : flat).push_back(group);
+  }
+  return std::none_of(flat.begin(), flat.end(),
+    [&sides](const Side& f)
+    { return std::any_of(sides.begin(), sides.end(), [&f](const Side& s) { return s.patch == f.patch; }); });
 }
 
 // Lays a vector into the planes of the sides; zero where nothing is left.
@@ -192,8 +186,8 @@ StopReason aim(const Surroundings& s, const PatchTable& patches, Column& column)
     return StopReason::Frozen;
   }
   const Vector3 wallNormal = weightedNormal(s.walls);
-  const std::vector<Side> sides = findSides(s.others, wallNormal);
-  if (sides.size() > 2 || norm(wallNormal) == 0)
+  std::vector<Side> sides;
+  if (!findSides(s.others, wallNormal, sides) || sides.size() > 2 || norm(wallNormal) == 0)
   {
     return StopReason::Corner;
   }
@@ -210,10 +204,6 @@ StopReason aim(const Surroundings& s, const PatchTable& patches, Column& column)
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
     column.sides[i] = sides[i].patch;
-    if (!sides[i].isPlane)
-    {
-      return StopReason::CurvedSide;
-    }
   }
   const SideProjection lay(sides);
   const Vector3 d = mostVisible(carrying, lay, lay(wallNormal));

@@ -155,7 +155,7 @@ void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFract
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     Column& c = set.columns[i];
-    // A column in the boundary itself has no inside to look through; its neighbours limit it.
+    // A column in the boundary itself has no inside to look through: see followSides.
     if (!suspect[i] || c.sides[0] != 0 || !stars.isOnBoundary(c.vertex))
     {
       continue;

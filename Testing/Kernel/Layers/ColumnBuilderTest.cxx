@@ -120,14 +120,17 @@ TEST(ColumnBuilder, AnInterfaceFreezesItsPoints)
   EXPECT_EQ(columns.at({ 0.25, 0.5, 0 })->levels, 5);
 }
 
-TEST(ColumnBuilder, ACurvedSideStopsTheColumn)
+TEST(ColumnBuilder, AColumnStandsInACurvedSide)
 {
   const auto bulge = [](const Vector3& p) {
     return Vector3{ p.x, p.y - 0.3 * (1 - p.y) * std::sin(M_PI * p.x), p.z };
   };
   const Columns columns(make({ 4, 4, 4, bulge }), patches(PatchType::Symmetry), { ZLow });
-  EXPECT_EQ(columns.at({ 0.5, -0.3, 0 })->reason, StopReason::CurvedSide);
-  EXPECT_EQ(columns.at({ 0.5, 1, 0 })->reason, StopReason::Complete);
+  const Column* column = columns.at({ 0.5, -0.3, 0 });
+  ASSERT_TRUE(column);
+  EXPECT_EQ(column->reason, StopReason::Complete);
+  EXPECT_TRUE(column->staysIn(YLow));
+  expectVector(column->direction, { 0, 0, 1 });
 }
 
 TEST(ColumnBuilder, FacesWhoseColumnsDisagreeLoseThem)

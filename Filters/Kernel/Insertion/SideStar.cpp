@@ -1,0 +1,124 @@
+#include "Insertion/SideStar.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace ransmesh
+{
+void SideStar::remember(const Column& column, const std::vector<Index>& ball)
+{
+  faces_.clear();
+  if (!turns_.anyCurved() || column.sides[0] == 0)
+  {
+    return;
+  }
+  for (const Index t : ball)
+  {
+    const Tetrahedron& tet = mesh_.tet(t);
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace beyond = tet.neighbour[f];
+      if (isBoundary(beyond) && tet.vertex[f] != column.vertex && column.staysIn(mesh_.patchOf(beyond)) &&
+        turns_.isCurved(mesh_.patchOf(beyond)))
+      {
+        const Index face = boundaryFaceOf(beyond);
+        faces_.push_back({ face, turns_.faithfulness(face) });
+      }
+    }
+  }
+}
+
+bool SideStar::allowsMove() const
+{
+  return std::all_of(faces_.begin(), faces_.end(),
+    [this](const Face& face) { return turns_.allows(turns_.faithfulness(face.number), face.before); });
+}
+
+bool SideStar::allowsStar(const Cavity& cavity, Index top, const std::vector<Index>& lost)
+{
+  if (cavity.starredFaces.empty())
+  {
+    return true;
+  }
+  collectEdges(cavity.starredFaces);
+  rim_.clear();
+  for (std::size_t i = 0; i < edges_.size(); ++i)
+  {
+    const EdgeUse& edge = edges_[i];
+    const bool shared =
+      i + 1 < edges_.size() && edges_[i + 1].low == edge.low && edges_[i + 1].high == edge.high;
+    if (shared ? !mayVanish(edge, edges_[i + 1], top) : !rimAllows(edge, top))
+    {
+      return false;
+    }
+    if (shared)
+    {
+      ++i;
+      continue;
+    }
+    rim_.push_back(edge.low);
+    rim_.push_back(edge.high);
+  }
+  return keepsVertices(cavity.starredFaces, top, lost);
+}
+
+void SideStar::collectEdges(const std::vector<Index>& faces)
+{
+  edges_.clear();
+  for (const Index b : faces)
+  {
+    const auto v = mesh_.boundaryVertices(b);
+    for (int j = 0; j < 3; ++j)
+    {
+      const Index from = v[j];
+      const Index to = v[(j + 1) % 3];
+      edges_.push_back({ std::min(from, to), std::max(from, to), { from, to }, b });
+    }
+  }
+  std::sort(edges_.begin(), edges_.end(),
+    [](const EdgeUse& a, const EdgeUse& b)
+    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
+}
+
+double SideStar::faithfulnessBefore(Index face) const
+{
+  const auto known =
+    std::find_if(faces_.begin(), faces_.end(), [face](const Face& f) { return f.number == face; });
+  return known != faces_.end() ? known->before : turns_.faithfulness(face);
+}
+
+bool SideStar::rimAllows(const EdgeUse& rim, Index top) const
+{
+  const int patch = mesh_.boundaryFace(rim.face).patch;
+  if (rim.low == top || rim.high == top || !turns_.isCurved(patch))
+  {
+    return true;
+  }
+  const double now = turns_.faithfulness(patch, { rim.way[0], rim.way[1], top },
+    { mesh_.point(rim.way[0]), mesh_.point(rim.way[1]), mesh_.point(top) });
+  return turns_.allows(now, faithfulnessBefore(rim.face));
+}
+
+bool SideStar::mayVanish(const EdgeUse& one, const EdgeUse& other, Index top) const
+{
+  if (one.low == top || one.high == top)
+  {
+    return true;
+  }
+  return mesh_.boundaryFace(one.face).patch == mesh_.boundaryFace(other.face).patch &&
+    !classes_.ridges.has(one.low, one.high);
+}
+
+bool SideStar::keepsVertices(const std::vector<Index>& faces, Index top, const std::vector<Index>& lost) const
+{
+  const auto has = [](const std::vector<Index>& list, Index v)
+  { return std::find(list.begin(), list.end(), v) != list.end(); };
+  return std::all_of(faces.begin(), faces.end(),
+    [&](Index face)
+    {
+      const auto corners = mesh_.boundaryVertices(face);
+      return std::all_of(
+        corners.begin(), corners.end(), [&](Index v) { return v == top || has(rim_, v) || has(lost, v); });
+    });
+}
+} // namespace ransmesh
