@@ -12,6 +12,14 @@
 
 namespace ransmesh
 {
+struct Domain
+{
+  SurfaceMesh surface; // closed, but for its sheets
+  PatchTable patches;
+  std::vector<char> isSheet; // by patch number
+  std::optional<FarFieldBox> box;
+};
+
 struct MeshingOptions
 {
   SizeLimits limits;            // sizes that are asked for in space; its slope holds for the surface too
@@ -30,10 +38,9 @@ struct MeshingResult
 };
 
 // Meshes what the surface, and the box around it if there is one, encloses; the insides of bodies stay
-// empty. The surface's triangles are kept as they are; the box's sides are divided as the sizes need.
-// TetGen is tried with its own tolerance first, then with finer ones. A mesh is given only if it is
-// valid in exact arithmetic.
-Outcome meshDomain(const SurfaceMesh& surface, const std::optional<FarFieldBox>& box,
-  const PatchTable& patches, const MeshingOptions& options, const TetGenWorker& worker,
+// empty. The surface's triangles are kept as they are, those of sheets as faces inside the mesh; the box's
+// sides are divided as the sizes need. TetGen is tried with its own tolerance first, then with finer ones.
+// A mesh is given only if it is valid in exact arithmetic.
+Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const TetGenWorker& worker,
   const Context& context, MeshingResult& result);
 } // namespace ransmesh

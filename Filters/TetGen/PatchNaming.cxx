@@ -117,4 +117,19 @@ Outcome setTypes(const std::vector<std::pair<std::string, std::string>>& typeOfP
   }
   return Outcome::done();
 }
+
+Outcome checkSheetTypes(const PatchTable& patches, const std::vector<char>& isSheet)
+{
+  for (std::size_t i = 1; i < isSheet.size(); ++i)
+  {
+    const PatchType type = patches[i].type;
+    if (isSheet[i] && type != PatchType::Wake && type != PatchType::Wall && type != PatchType::Interface &&
+      type != PatchType::Patch)
+    {
+      return Outcome::badInput("the sheet '" + patches[i].name + "' is of type " + std::string(nameOf(type)) +
+        ": a sheet lies inside the fluid, so it can be wake, wall, interface or patch (SetPatchType)");
+    }
+  }
+  return Outcome::done();
+}
 } // namespace ransmesh

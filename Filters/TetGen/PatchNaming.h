@@ -18,4 +18,7 @@ PatchType guessType(const std::string& name);
 // Sets the types of the patches that the patterns take: a name, a name with the wildcards * and ?, or a
 // number; later rules win. BadInput for an unknown type, or a pattern that takes no patch.
 Outcome setTypes(const std::vector<std::pair<std::string, std::string>>& typeOfPattern, PatchTable& patches);
+
+// Whether sheets (by patch number) have types that a sheet can have: wake, wall, interface or patch.
+Outcome checkSheetTypes(const PatchTable& patches, const std::vector<char>& isSheet);
 } // namespace ransmesh

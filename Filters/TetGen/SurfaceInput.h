@@ -14,7 +14,9 @@ namespace ransmesh
 struct SurfaceInput
 {
   SurfaceMesh surface; // points not merged yet
+  SurfaceMesh sheets;  // likewise
   PatchTable patches;
+  std::vector<char> isSheet;    // by patch number
   std::vector<int> wholePieces; // patches that are all of an input piece, for want of anything finer
   std::vector<std::string> remarks;
 };
@@ -24,5 +26,8 @@ struct SurfaceInput
 // else each piece is one patch. Numbers that PatchId gives are kept where they are unique; all others
 // follow in the order of the input. Names come from PatchNames, else from the block's name and the
 // number. Types come from PatchTypes, else from the names.
-Outcome readSurface(const std::vector<vtkDataObject*>& inputs, SurfaceInput& result);
+// Sheets are read in the same way, into patches of their own; where nothing tells, they are named wake and
+// of type wake.
+Outcome readSurface(const std::vector<vtkDataObject*>& surfaces, const std::vector<vtkDataObject*>& sheets,
+  SurfaceInput& result);
 } // namespace ransmesh

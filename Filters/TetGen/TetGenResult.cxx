@@ -137,7 +137,7 @@ std::vector<Vector3> findHoles(const worker::Result& result)
   return holes;
 }
 
-AssembledMesh assemble(const worker::Result& result)
+AssembledMesh assemble(const worker::Result& result, const std::vector<char>& isSheet)
 {
   AssembledMesh assembled;
   MeshData& mesh = assembled.mesh;
@@ -164,22 +164,23 @@ AssembledMesh assemble(const worker::Result& result)
   std::size_t kept = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
-    if (onBoundary[t])
+    const auto patch = static_cast<std::size_t>(mesh.trianglePatch[t]);
+    if (onBoundary[t] || (patch < isSheet.size() && isSheet[patch]))
     {
       mesh.triangles[kept] = mesh.triangles[t];
       mesh.trianglePatch[kept++] = mesh.trianglePatch[t];
     }
     else
     {
-      assembled.sheets.triangles.push_back(mesh.triangles[t]);
-      assembled.sheets.trianglePatch.push_back(mesh.trianglePatch[t]);
+      assembled.unexpected.triangles.push_back(mesh.triangles[t]);
+      assembled.unexpected.trianglePatch.push_back(mesh.trianglePatch[t]);
     }
   }
   mesh.triangles.resize(kept);
   mesh.trianglePatch.resize(kept);
-  if (!assembled.sheets.triangles.empty())
+  if (!assembled.unexpected.triangles.empty())
   {
-    assembled.sheets.points = mesh.points;
+    assembled.unexpected.points = mesh.points;
   }
   dropUnusedPoints(mesh);
   renumberSpatially(mesh);

@@ -17,10 +17,10 @@ std::vector<Vector3> findHoles(const worker::Result& result);
 
 struct AssembledMesh
 {
-  MeshData mesh;   // triangles sorted by patch, turned outward
-  MeshData sheets; // points and triangles that have fluid on both sides
+  MeshData mesh;       // triangles sorted by patch, turned outward
+  MeshData unexpected; // points and triangles that have fluid on both sides, but are of no sheet
 };
 
-// Turns tetrahedra and triangles as the data contract wants them, and drops unused points.
-AssembledMesh assemble(const worker::Result& result);
+// Turns tetrahedra and triangles as the data contract wants them, and drops unused points. isSheet: by patch.
+AssembledMesh assemble(const worker::Result& result, const std::vector<char>& isSheet);
 } // namespace ransmesh

@@ -10,6 +10,7 @@
 #include "StageContext.h"
 
 #include "Boundary/FeatureSplit.h"
+#include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceCheck.h"
 #include "Boundary/SurfaceRemeshing.h"
 #include "Boundary/SurfaceSizes.h"
@@ -62,28 +63,36 @@ void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
   grid->GetFieldData()->AddArray(array);
 }
 
-// Of the space between the bodies and the box with these margins, or, without margins, inside the surface.
-double domainVolume(const ransmesh::SurfaceMesh& surface, const double* margins)
+std::optional<ransmesh::Extent> extentOfBox(const ransmesh::Domain& domain)
 {
-  const double inside = ransmesh::enclosedVolume(surface);
-  if (!margins)
-  {
-    return inside;
-  }
-  const ransmesh::Extent extent = ransmesh::extentOf(surface.points);
-  double box = 1;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box *= extent.length(axis) + (margins[2 * axis] + margins[2 * axis + 1]) * extent.largestLength();
-  }
-  return box - inside;
+  return domain.box ? std::optional(ransmesh::Extent{ domain.box->corners[0], domain.box->corners[7] })
+                    : std::nullopt;
 }
 
-ransmesh::FarFieldBox boxAround(ransmesh::SurfaceInput& input, const double margins[6])
+// Of the space between the bodies and the box, or, without a box, inside the surface.
+double domainVolume(const ransmesh::Domain& domain)
+{
+  const double inside = ransmesh::enclosedVolume(ransmesh::withoutSheets(domain.surface, domain.isSheet));
+  const auto box = extentOfBox(domain);
+  return box ? box->length(0) * box->length(1) * box->length(2) - inside : inside;
+}
+
+ransmesh::FarFieldBox boxAround(
+  const ransmesh::SurfaceMesh& bodies, const double margins[6], ransmesh::PatchTable& patches)
 {
   std::array<double, 6> six;
   std::copy_n(margins, 6, six.begin());
-  return ransmesh::makeFarField(ransmesh::extentOf(input.surface.points), six, input.patches);
+  return ransmesh::makeFarField(ransmesh::extentOf(bodies.points), six, patches);
+}
+
+std::vector<vtkDataObject*> dataOf(vtkInformationVector* inputs)
+{
+  std::vector<vtkDataObject*> data;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    data.push_back(vtkDataObject::GetData(inputs, i));
+  }
+  return data;
 }
 } // namespace
 
@@ -91,6 +100,7 @@ ransmesh::FarFieldBox boxAround(ransmesh::SurfaceInput& input, const double marg
 vtkIsotropicTetMesher::vtkIsotropicTetMesher()
   : Lists(new Internals)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -179,12 +189,25 @@ void vtkIsotropicTetMesher::ClearPatchTypes()
 }
 
 //------------------------------------------------------------------------------
-int vtkIsotropicTetMesher::FillInputPortInformation(int, vtkInformation* info)
+void vtkIsotropicTetMesher::AddSheetData(vtkDataObject* sheets)
+{
+  this->AddInputDataObject(1, sheets);
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::AddSheetConnection(vtkAlgorithmOutput* sheets)
+{
+  this->AddInputConnection(1, sheets);
+}
+
+//------------------------------------------------------------------------------
+int vtkIsotropicTetMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
   return 1;
 }
 
@@ -245,14 +268,10 @@ std::string vtkIsotropicTetMesher::FindWorker()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::ReadSurface(vtkInformationVector* inputs, ransmesh::SurfaceInput& input)
+bool vtkIsotropicTetMesher::ReadSurface(
+  vtkInformationVector* surfaces, vtkInformationVector* sheets, ransmesh::SurfaceInput& input)
 {
-  std::vector<vtkDataObject*> data;
-  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
-  {
-    data.push_back(vtkDataObject::GetData(inputs, i));
-  }
-  const ransmesh::Outcome outcome = ransmesh::readSurface(data, input);
+  const ransmesh::Outcome outcome = ransmesh::readSurface(dataOf(surfaces), dataOf(sheets), input);
   if (!outcome.ok())
   {
     vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
@@ -261,9 +280,9 @@ bool vtkIsotropicTetMesher::ReadSurface(vtkInformationVector* inputs, ransmesh::
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
+bool vtkIsotropicTetMesher::Accept(
+  const ransmesh::SurfaceVerdict& verdict, const ransmesh::SurfaceMesh& surface, vtkPolyData* problems)
 {
-  const ransmesh::SurfaceVerdict verdict = ransmesh::mendAndCheck(input.surface, input.patches);
   for (const std::string& repair : verdict.repairs)
   {
     vtkWarningMacro("Mended: " << repair << ".");
@@ -271,9 +290,16 @@ bool vtkIsotropicTetMesher::CheckSurface(ransmesh::SurfaceInput& input, vtkPolyD
   if (!verdict.outcome.ok())
   {
     vtkErrorMacro(<< "Cannot mesh: " << verdict.outcome.message << ".");
-    ransmesh::writeProblems(input.surface, verdict.findings, problems);
+    ransmesh::writeProblems(surface, verdict.findings, problems);
   }
   return verdict.outcome.ok();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
+{
+  const ransmesh::SurfaceVerdict verdict = ransmesh::mendAndCheck(input.surface, input.patches);
+  return this->Accept(verdict, input.surface, problems);
 }
 
 //------------------------------------------------------------------------------
@@ -290,8 +316,7 @@ ransmesh::MeshingOptions vtkIsotropicTetMesher::GetOptions() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::PrepareSurface(
-  const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input, vtkPolyData* problems)
+bool vtkIsotropicTetMesher::PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
 {
   if (this->PatchFromFeatureAngle)
   {
@@ -317,12 +342,49 @@ bool vtkIsotropicTetMesher::PrepareSurface(
       return false;
     }
   }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::MakeDomain(
+  ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems)
+{
+  if (this->FarField)
+  {
+    makeBodiesWalls(input.patches);
+    domain.box = boxAround(input.surface, this->FarFieldMargins, input.patches);
+  }
+  input.isSheet.resize(input.patches.size(), 0);
+  ransmesh::Outcome outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
+  if (outcome.ok())
+  {
+    outcome = ransmesh::checkSheetTypes(input.patches, input.isSheet);
+  }
+  if (!outcome.ok())
+  {
+    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
+    return false;
+  }
+  domain.surface = std::move(input.surface);
+  domain.patches = std::move(input.patches);
+  domain.isSheet = std::move(input.isSheet);
+  if (input.sheets.triangles.empty())
+  {
+    return true;
+  }
+  const ransmesh::SurfaceVerdict verdict =
+    ransmesh::attachSheets(domain.surface, std::move(input.sheets), domain.patches, extentOfBox(domain));
+  return this->Accept(verdict, domain.surface, problems);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIsotropicTetMesher::DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain)
+{
   const auto limit = [&options](const ransmesh::Vector3& x) { return options.limits.at(x); };
-  const double volume = domainVolume(input.surface, this->FarField ? this->FarFieldMargins : nullptr);
   const double wanted = this->MaximumEdgeLength;
-  const double tets = wanted > 0 ? 8.5 * volume / (wanted * wanted * wanted) : 0;
+  const double tets = wanted > 0 ? 8.5 * domainVolume(domain) / (wanted * wanted * wanted) : 0;
   constexpr double mostTets = 4e8;
-  if (tets > mostTets || !ransmesh::halveLongEdges(input.surface, limit))
+  if (tets > mostTets || !ransmesh::halveLongEdges(domain.surface, limit))
   {
     vtkErrorMacro("Cannot mesh: the sizes that are asked for make too large a mesh (more than 400 million "
                   "tetrahedra, or 20 million surface triangles); ask for larger edges.");
@@ -340,30 +402,22 @@ int vtkIsotropicTetMesher::RequestData(
   ransmesh::writeProblems({}, {}, problems);
   const std::string program = this->OptionsAreValid() ? this->FindWorker() : "";
   ransmesh::SurfaceInput input;
-  if (program.empty() || !this->ReadSurface(inputVector[0], input))
+  if (program.empty() || !this->ReadSurface(inputVector[0], inputVector[1], input))
   {
     return 0;
   }
   // Where the faults can be shown, the pipeline goes on to show them.
   const ransmesh::MeshingOptions options = this->GetOptions();
-  if (!this->CheckSurface(input, problems) || !this->PrepareSurface(options, input, problems))
+  ransmesh::Domain domain;
+  if (!this->CheckSurface(input, problems) || !this->PrepareSurface(input, problems) ||
+    !this->MakeDomain(input, domain, problems) || !this->DivideLongEdges(options, domain))
   {
     return problems->GetNumberOfCells() > 0;
   }
-  std::optional<ransmesh::FarFieldBox> box;
-  if (this->FarField)
-  {
-    makeBodiesWalls(input.patches);
-    box = boxAround(input, this->FarFieldMargins);
-  }
-  ransmesh::Outcome outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
   ransmesh::MeshingResult result;
-  if (outcome.ok())
-  {
-    const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
-    outcome = ransmesh::meshDomain(
-      input.surface, box, input.patches, options, worker, ransmesh::makeContext(this), result);
-  }
+  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+  const ransmesh::Outcome outcome =
+    ransmesh::meshDomain(domain, options, worker, ransmesh::makeContext(this), result);
   if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
     return 1; // as the user wished: an empty mesh, no error
@@ -378,7 +432,7 @@ int vtkIsotropicTetMesher::RequestData(
   {
     vtkWarningMacro(<< remark);
   }
-  ransmesh::writeMesh(result.mesh, input.patches, output);
+  ransmesh::writeMesh(result.mesh, domain.patches, output);
   writeSwitches(result.switches, output);
   return 1;
 }

@@ -10,8 +10,10 @@
  *
  * Input (repeatable): vtkPolyData, or composite data of them; closed together; each triangle with a patch
  * (cell array PatchId, arrays of other tools, else one patch a block).
+ * Input 1 (optional, repeatable): sheets, in the same form, but open.
  * Output 0: the mesh by the data contract of the project: tetrahedra, then boundary triangles sorted by
- * patch and turned outward, with PatchId, PatchNames, PatchTypes; field data MesherSwitches.
+ * patch and turned outward (those of sheets once, as they come), with PatchId, PatchNames, PatchTypes; field
+ * data MesherSwitches.
  * Output 1: the triangles that are wrong with the surface, with Reason, PartnerId, PatchId. If these are
  * known, the filter reports the error and ends with an empty mesh, so that they can be shown.
  */
@@ -24,13 +26,17 @@
 #include <memory>
 #include <string>
 
+class vtkAlgorithmOutput;
+class vtkDataObject;
 class vtkPolyData;
 
 namespace ransmesh
 {
+struct Domain;
 struct MeshingOptions;
-struct Outcome;
 struct SurfaceInput;
+struct SurfaceMesh;
+struct SurfaceVerdict;
 } // namespace ransmesh
 
 class RANSMESHINGTETGEN_EXPORT vtkIsotropicTetMesher : public vtkUnstructuredGridAlgorithm
@@ -39,6 +45,18 @@ public:
   static vtkIsotropicTetMesher* New();
   vtkTypeMacro(vtkIsotropicTetMesher, vtkUnstructuredGridAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Adds sheets to the second input: open surfaces inside the domain, which become faces of the mesh with
+   * tetrahedra on both sides. They are wakes (type wake), or, by SetPatchType, walls without thickness (type
+   * wall). A sheet's border may lie free, or on a surface or another sheet, where its points must coincide
+   * with points there (within 1e-6 of the surfaces' largest extent) and its edges with edges; or on a side of
+   * the far-field box.
+   */
+  void AddSheetData(vtkDataObject* sheets);
+  void AddSheetConnection(vtkAlgorithmOutput* sheets);
+  ///@}
 
   ///@{
   /**
@@ -190,13 +208,20 @@ private:
 
   bool OptionsAreValid();
   std::string FindWorker();
-  bool ReadSurface(vtkInformationVector* inputs, ransmesh::SurfaceInput& input);
+  bool ReadSurface(
+    vtkInformationVector* surfaces, vtkInformationVector* sheets, ransmesh::SurfaceInput& input);
+  // Reports what a check of the surface said.
+  bool Accept(
+    const ransmesh::SurfaceVerdict& verdict, const ransmesh::SurfaceMesh& surface, vtkPolyData* problems);
   // False, with the error reported and the triangles that are wrong in `problems`, if it cannot be meshed.
   bool CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
   ransmesh::MeshingOptions GetOptions() const;
   // Patches and triangles as the options want them. False, with the error reported, if that fails.
-  bool PrepareSurface(
-    const ransmesh::MeshingOptions& options, ransmesh::SurfaceInput& input, vtkPolyData* problems);
+  bool PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
+  // The surface with its sheets and the box around it. False, with the error reported, if that fails.
+  bool MakeDomain(ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems);
+  // Halves what is longer than the sizes. False, with the error reported, if the mesh would be too large.
+  bool DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain);
 };
 
 #endif

@@ -124,26 +124,35 @@ std::string placeOf(const SurfaceMesh& surface, Index triangle, const PatchTable
     "'";
 }
 
-Outcome checkExtent(const SurfaceMesh& surface)
+Outcome checkCoordinates(const SurfaceMesh& surface, const char* what)
 {
-  if (surface.triangles.empty())
-  {
-    return Outcome::badInput("the input is empty: connect a surface of triangles or polygons");
-  }
   for (std::size_t i = 0; i < surface.points.size(); ++i)
   {
     const Vector3& p = surface.points[i];
     const double largest = std::fmax(std::fabs(p.x), std::fmax(std::fabs(p.y), std::fabs(p.z)));
     if (!isFinite(p))
     {
-      return Outcome::badInput("point " + std::to_string(i) +
-        " of the surface is not finite: " + coordinates(p) + "; repair the file or the filter that made it");
+      return Outcome::badInput("point " + std::to_string(i) + " of the " + what +
+        " is not finite: " + coordinates(p) + "; repair the file or the filter that made it");
     }
     if (largest > LargestCoordinate)
     {
-      return Outcome::badInput("point " + std::to_string(i) + " of the surface lies at " + coordinates(p) +
-        ", too far away to compute with (limit 1e50); check the units");
+      return Outcome::badInput("point " + std::to_string(i) + " of the " + what + " lies at " +
+        coordinates(p) + ", too far away to compute with (limit 1e50); check the units");
     }
+  }
+  return Outcome::done();
+}
+
+Outcome checkExtent(const SurfaceMesh& surface)
+{
+  if (surface.triangles.empty())
+  {
+    return Outcome::badInput("the input is empty: connect a surface of triangles or polygons");
+  }
+  if (Outcome outcome = checkCoordinates(surface, "surface"); !outcome.ok())
+  {
+    return outcome;
   }
   const Extent extent = extentOf(surface.points);
   for (int axis = 0; axis < 3; ++axis)

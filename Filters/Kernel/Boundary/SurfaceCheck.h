@@ -36,6 +36,9 @@ struct SurfaceVerdict
   std::vector<std::string> repairs;     // what was mended, one sentence each
 };
 
+// Whether all coordinates are finite and of sane size. what: "surface" or "sheet", for the text.
+Outcome checkCoordinates(const SurfaceMesh& surface, const char* what);
+
 // Whether the surface has triangles, finite coordinates of sane size, and an extent along each axis.
 // To be asked before anything else is done with the coordinates.
 Outcome checkExtent(const SurfaceMesh& surface);

@@ -9,7 +9,7 @@
 
 namespace ransmesh::worker
 {
-inline constexpr std::uint64_t Version = 0x52414e534d533031; // "RANSMS01"
+inline constexpr std::uint64_t Version = 0x52414e534d533032; // "RANSMS02"
 
 // Exit status of the worker: 0, one of these, or, when TetGen gave up with an error number, ExitTetGen +
 // number. Sanitizers end programs with statuses around 23, shells use 126 and more.
@@ -28,6 +28,7 @@ struct Request
   std::vector<std::int32_t> offsets;     // of polygon i: corners[offsets[i]] ... corners[offsets[i + 1]]
   std::vector<std::int32_t> corners;     // numbers of points
   std::vector<std::int32_t> markers;     // of each polygon
+  std::vector<std::int32_t> segments;    // a polygon and two points: edges that lie in a polygon
   std::vector<double> holes;             // x, y, z
   std::vector<std::int32_t> freeMarkers; // polygons with these markers may be split, in spite of -Y
   std::vector<std::int32_t> freeSides;   // pairs of points: polygon sides that may be split, too
@@ -58,6 +59,7 @@ void transfer(Archive& archive, Request& r)
   archive(r.offsets);
   archive(r.corners);
   archive(r.markers);
+  archive(r.segments);
   archive(r.holes);
   archive(r.freeMarkers);
   archive(r.freeSides);

@@ -199,8 +199,21 @@ bool isTooLarge(double* a, double* b, double* c, double* d, double*, double)
   return dot(toCentre, toCentre) > limit * limit;
 }
 
+void setPolygon(const std::int32_t* corners, int count, tetgenio::polygon& polygon)
+{
+  tetgenio::init(&polygon);
+  polygon.numberofvertices = count;
+  polygon.vertexlist = new int[count];
+  std::copy_n(corners, count, polygon.vertexlist);
+}
+
 void setFacets(const Request& request, tetgenio& in)
 {
+  std::vector<std::vector<std::size_t>> segmentsOf(request.markers.size());
+  for (std::size_t i = 0; i + 2 < request.segments.size(); i += 3)
+  {
+    segmentsOf[request.segments[i]].push_back(i + 1);
+  }
   in.numberoffacets = static_cast<int>(request.markers.size());
   in.facetlist = new tetgenio::facet[request.markers.size()];
   in.facetmarkerlist = new int[request.markers.size()];
@@ -208,13 +221,14 @@ void setFacets(const Request& request, tetgenio& in)
   {
     tetgenio::facet& facet = in.facetlist[i];
     tetgenio::init(&facet);
-    facet.numberofpolygons = 1;
-    facet.polygonlist = new tetgenio::polygon[1];
-    tetgenio::polygon& polygon = facet.polygonlist[0];
-    tetgenio::init(&polygon);
-    polygon.numberofvertices = request.offsets[i + 1] - request.offsets[i];
-    polygon.vertexlist = new int[polygon.numberofvertices];
-    std::copy_n(request.corners.begin() + request.offsets[i], polygon.numberofvertices, polygon.vertexlist);
+    facet.numberofpolygons = 1 + static_cast<int>(segmentsOf[i].size());
+    facet.polygonlist = new tetgenio::polygon[facet.numberofpolygons];
+    const std::int32_t begin = request.offsets[i];
+    setPolygon(request.corners.data() + begin, request.offsets[i + 1] - begin, facet.polygonlist[0]);
+    for (std::size_t j = 0; j < segmentsOf[i].size(); ++j)
+    {
+      setPolygon(request.segments.data() + segmentsOf[i][j], 2, facet.polygonlist[j + 1]);
+    }
     in.facetmarkerlist[i] = request.markers[i];
   }
 }
