@@ -4,8 +4,8 @@
 //                  [--walls PATTERN...] [-o MESH.vtu] [--surface FILE.vtp] [--json FILE]
 // SURFACE is a file that ransmesh reads. Status 0: the mesh is valid; 1: it is not, or there is none; 2: wrong use.
 #include "Bodies/Cases.h"
-#include "CaseRun.h"
 #include "Vtk/BodyPolyData.h"
+#include "Vtk/ChainRun.h"
 
 #ifdef RANSMESHING_READS_SURFACES
 #include "SurfaceReader.h"
@@ -26,7 +26,7 @@
 
 namespace
 {
-using namespace ransmesh_benchmarks;
+using namespace chain_run;
 
 struct Arguments
 {
@@ -34,7 +34,7 @@ struct Arguments
   double size = 0;
   double thickness = 0;
   std::optional<double> firstHeight;
-  CaseOptions options;
+  ChainOptions options;
   std::string mesh;
   std::string surface;
   std::string json;
@@ -132,7 +132,7 @@ int list()
 // The surface of a case, whose layers go into the options, or that of a file.
 vtkSmartPointer<vtkPolyData> makeSurface(Arguments& a)
 {
-  CaseOptions& options = a.options;
+  ChainOptions& options = a.options;
   if (const bodies::Case* c = bodies::findCase(a.subject))
   {
     const double size = a.size > 0 ? a.size : c->size;
@@ -182,7 +182,7 @@ std::string quoted(const std::string& text)
   return result + "\"";
 }
 
-std::string toJson(const Arguments& a, const CaseResult& r)
+std::string toJson(const Arguments& a, const ChainResult& r)
 {
   std::ostringstream text;
   text.precision(9);
@@ -222,7 +222,7 @@ int run(Arguments a)
   {
     write<vtkXMLPolyDataWriter>(surface.Get(), a.surface);
   }
-  const CaseResult result = runCase(surface, a.options);
+  const ChainResult result = runChain(surface, a.options);
   const std::string json = toJson(a, result);
   std::cout << json;
   if (!a.json.empty())

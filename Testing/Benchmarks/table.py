@@ -82,6 +82,14 @@ def percent(value, goal=None, most=False):
     return f"**{text}**" if missed else text
 
 
+def full_columns(name, result, layers):
+    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits."""
+    if "-gap" not in name and "-floor" not in name:
+        return layers.get("share_of_columns_full")
+    limited = ("none", "gap", "isotropic size reached")
+    return share(sum(result["stop_reasons"].get(reason, 0) for reason in limited), result["columns"])
+
+
 def row_of(name, result, judged, goals):
     layers = judged.get("layers", {})
     tets = result["layer_tetrahedra"]
@@ -91,7 +99,7 @@ def row_of(name, result, judged, goals):
     return (name, f"{result['first_height']:g}",
             percent(share(result["inserted"], result["requested"]), goals["inserted"]),
             percent(share(result["inserted"], result["asked"])),
-            percent(layers.get("share_of_columns_full"), goals["full"]),
+            percent(full_columns(name, result, layers), goals["full"]),
             percent(share(result["over_175"], tets), goals["175"], True),
             percent(share(result["over_179"], tets), goals["179"], True),
             percent(result["copies_of_wall_faces"]),

@@ -10,11 +10,17 @@ namespace
 {
 constexpr double radiusOfSphere = 0.5;
 
+// With a corner in the direction of x, and one in the other.
 std::array<Vector3, 12> icosahedron()
 {
   const double g = (1 + std::sqrt(5.0)) / 2;
-  return { { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g }, { 0, 1, g }, { 0, -1, -g },
-    { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } } };
+  std::array<Vector3, 12> corners = { { { -1, g, 0 }, { 1, g, 0 }, { -1, -g, 0 }, { 1, -g, 0 }, { 0, -1, g },
+    { 0, 1, g }, { 0, -1, -g }, { 0, 1, -g }, { g, 0, -1 }, { g, 0, 1 }, { -g, 0, -1 }, { -g, 0, 1 } } };
+  for (Vector3& p : corners)
+  {
+    p = (1 / std::hypot(1, g)) * Vector3{ g * p.x - p.z, std::hypot(1, g) * p.y, p.x + g * p.z };
+  }
+  return corners;
 }
 
 constexpr int icosahedronFaces[20][3] = { { 0, 11, 5 }, { 0, 5, 1 }, { 0, 1, 7 }, { 0, 7, 10 }, { 0, 10, 11 },

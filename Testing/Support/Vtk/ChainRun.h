@@ -11,9 +11,9 @@
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
-namespace ransmesh_benchmarks
+namespace chain_run
 {
-struct CaseOptions
+struct ChainOptions
 {
   bool farField = false;
   std::vector<std::string> walls; // patterns; none: all patches of type wall
@@ -23,7 +23,7 @@ struct CaseOptions
   double surfaceSize = 0; // to which the surface is remeshed; 0: kept
 };
 
-struct CaseResult
+struct ChainResult
 {
   vtkSmartPointer<vtkUnstructuredGrid> mesh;
   std::array<double, 3> seconds{}; // mesher, removal, enrichment
@@ -48,5 +48,5 @@ struct CaseResult
 };
 
 // Throws std::runtime_error with the message of the stage that fails.
-CaseResult runCase(vtkPolyData* surface, const CaseOptions& options);
-} // namespace ransmesh_benchmarks
+ChainResult runChain(vtkPolyData* surface, const ChainOptions& options);
+} // namespace chain_run

@@ -1,4 +1,4 @@
-#include "CaseRun.h"
+#include "Vtk/ChainRun.h"
 
 #include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Validation.h"
@@ -23,7 +23,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace ransmesh_benchmarks
+namespace chain_run
 {
 namespace
 {
@@ -47,7 +47,7 @@ double runStage(vtkAlgorithm* stage)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void countColumns(vtkPolyData* boundary, CaseResult& result)
+void countColumns(vtkPolyData* boundary, ChainResult& result)
 {
   vtkPointData* data = boundary->GetPointData();
   vtkDataArray* asked = data->GetArray(contract::LayersAsked);
@@ -67,7 +67,7 @@ void countColumns(vtkPolyData* boundary, CaseResult& result)
   }
 }
 
-void measureAngles(const ransmesh::MeshData& mesh, vtkDataArray* layer, CaseResult& result)
+void measureAngles(const ransmesh::MeshData& mesh, vtkDataArray* layer, ChainResult& result)
 {
   result.tetrahedra = static_cast<vtkIdType>(mesh.tetrahedra.size());
   for (vtkIdType t = 0; t < result.tetrahedra; ++t)
@@ -117,7 +117,7 @@ std::set<Face> facesOfColumns(const ransmesh::MeshData& mesh, vtkDataArray* colu
   return faces;
 }
 
-void countCopies(const ransmesh::MeshData& mesh, vtkDataArray* column, int layers, CaseResult& result)
+void countCopies(const ransmesh::MeshData& mesh, vtkDataArray* column, int layers, ChainResult& result)
 {
   const std::set<Face> faces = facesOfColumns(mesh, column);
   std::map<int, std::vector<ransmesh::Index>> pointsOf; // from the wall outward
@@ -151,7 +151,7 @@ void countCopies(const ransmesh::MeshData& mesh, vtkDataArray* column, int layer
   result.copiesOfWallFaces = wanted > 0 ? static_cast<double>(found) / static_cast<double>(wanted) : 0;
 }
 
-void judge(vtkPolyData* boundary, int layers, CaseResult& result)
+void judge(vtkPolyData* boundary, int layers, ChainResult& result)
 {
   ransmesh::MeshData mesh;
   ransmesh::PatchTable patches;
@@ -175,9 +175,9 @@ void judge(vtkPolyData* boundary, int layers, CaseResult& result)
 }
 } // namespace
 
-CaseResult runCase(vtkPolyData* surface, const CaseOptions& options)
+ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
 {
-  CaseResult result;
+  ChainResult result;
   vtkNew<vtkIsotropicTetMesher> mesher;
   vtkNew<vtkRANSPointRemoval> removal;
   vtkNew<vtkDirectionalEnrichment> enrichment;
@@ -208,4 +208,4 @@ CaseResult runCase(vtkPolyData* surface, const CaseOptions& options)
   judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
   return result;
 }
-} // namespace ransmesh_benchmarks
+} // namespace chain_run

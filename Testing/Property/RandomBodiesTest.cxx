@@ -1,0 +1,76 @@
+// Random bodies through the chain: the mesh is always valid. For long runs:
+//   RANSMESHING_RANDOM_BODIES=5000 RANSMESHING_FIRST_SEED=1000 RANSMeshingPropertyTests
+#include "Bodies/RandomBodies.h"
+#include "Vtk/BodyPolyData.h"
+#include "Vtk/ChainRun.h"
+
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <random>
+
+namespace
+{
+std::uint32_t numberFrom(const char* variable, std::uint32_t usual)
+{
+  const char* text = std::getenv(variable);
+  return text ? static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10)) : usual;
+}
+
+// Layers of 0.03 to 3 edge lengths; the fluid is around the body or in it.
+chain_run::ChainOptions randomOptions(std::uint32_t seed, double size)
+{
+  std::mt19937 random(seed + 1000000);
+  const auto between = [&random](double low, double high)
+  { return low + (high - low) * (random() / 4294967296.0); };
+  chain_run::ChainOptions options;
+  options.farField = random() % 2 == 0;
+  options.layers = static_cast<int>(between(3, 30));
+  options.growth = between(1, 1.5);
+  double heights = 0;
+  for (int i = 0; i < options.layers; ++i)
+  {
+    heights += std::pow(options.growth, i);
+  }
+  options.firstHeight = size * std::pow(10, between(-1.5, 0.5)) / heights;
+  return options;
+}
+
+// Whether there is such a body.
+bool isMeshedWell(std::uint32_t seed)
+{
+  const bodies::RandomBody random = bodies::randomBody(seed);
+  if (random.body.surface.triangles.empty())
+  {
+    return false;
+  }
+  const chain_run::ChainOptions options = randomOptions(seed, random.size);
+  try
+  {
+    const chain_run::ChainResult result = runChain(toPolyData(random.body), options);
+    EXPECT_EQ(result.faults, "") << "seed " << seed;
+    EXPECT_GT(result.inserted, 0) << "seed " << seed;
+  }
+  catch (const std::exception& error)
+  {
+    ADD_FAILURE() << "seed " << seed << ": " << error.what();
+  }
+  return true;
+}
+} // namespace
+
+TEST(Property, RandomBodiesGiveValidMeshes)
+{
+  const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", 30);
+  const std::uint32_t first = numberFrom("RANSMESHING_FIRST_SEED", 1);
+  std::uint32_t meshed = 0;
+  for (std::uint32_t seed = first; seed < first + count; ++seed)
+  {
+    meshed += isMeshedWell(seed) ? 1 : 0;
+  }
+  std::cout << meshed << " of " << count << " bodies were meshed\n";
+  EXPECT_GE(meshed, count / 2);
+}
