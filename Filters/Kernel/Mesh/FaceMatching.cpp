@@ -5,36 +5,68 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <numeric>
 #include <set>
+#include <utility>
 
 namespace ransmesh
 {
 namespace
 {
-std::array<Index, 3> sorted(std::array<Index, 3> f)
+// A vertex or a corner with it: vertex numbers rank first, so that sorting vertices takes their corners along.
+using Ranked = std::uint64_t;
+
+Ranked ranked(Index vertex, int corner)
 {
-  if (f[0] > f[1])
-  {
-    std::swap(f[0], f[1]);
-  }
-  if (f[1] > f[2])
-  {
-    std::swap(f[1], f[2]);
-  }
-  if (f[0] > f[1])
-  {
-    std::swap(f[0], f[1]);
-  }
+  return static_cast<Ranked>(vertex) << 2 | static_cast<Ranked>(corner);
+}
+
+Index vertexOf(Ranked r)
+{
+  return static_cast<Index>(r >> 2);
+}
+
+int cornerOf(Ranked r)
+{
+  return static_cast<int>(r & 3);
+}
+
+// Without branches: their outcome would be a toss.
+void order(Ranked& a, Ranked& b)
+{
+  const Ranked low = std::min(a, b);
+  b = std::max(a, b);
+  a = low;
+}
+
+std::array<Ranked, 4> rankedCorners(const std::array<Index, 4>& tet)
+{
+  std::array<Ranked, 4> r = { ranked(tet[0], 0), ranked(tet[1], 1), ranked(tet[2], 2), ranked(tet[3], 3) };
+  order(r[0], r[1]);
+  order(r[2], r[3]);
+  order(r[0], r[2]);
+  order(r[1], r[3]);
+  order(r[1], r[2]);
+  return r;
+}
+
+std::pair<Index, Index> twoSmallest(const std::array<Index, 4>& tet)
+{
+  const Index low01 = std::min(tet[0], tet[1]);
+  const Index low23 = std::min(tet[2], tet[3]);
+  const Index high = std::min(std::max(tet[0], tet[1]), std::max(tet[2], tet[3]));
+  return { std::min(low01, low23), std::min(std::max(low01, low23), high) };
+}
+
+std::array<Index, 3> sortedCorners(std::array<Index, 3> f)
+{
+  std::sort(f.begin(), f.end());
   return f;
 }
 
-std::array<Index, 3> faceOfTet(const std::array<Index, 4>& tet, int f)
-{
-  return { tet[FaceCorners[f][0]], tet[FaceCorners[f][1]], tet[FaceCorners[f][2]] };
-}
-
-// All faces and triangles in buckets by their smallest vertex: a bucket holds few, so that sorting each
-// is cheap, and takes the place of a hash table of all faces.
+// All faces and triangles in buckets by their smallest vertex: a bucket holds few, so that finding equal ones
+// in it is cheap, and takes the place of a hash table of all faces.
 class FaceBuckets
 {
 public:
@@ -50,48 +82,53 @@ public:
   explicit FaceBuckets(const MeshData& mesh)
     : start_(mesh.points.size() + 1, 0)
   {
-    forEach(mesh, [this](const std::array<Index, 3>& f, Index) { ++start_[f[0] + 1]; });
-    for (std::size_t i = 1; i < start_.size(); ++i)
+    for (const auto& tet : mesh.tetrahedra)
     {
-      start_[i] += start_[i - 1];
+      const auto [least, second] = twoSmallest(tet);
+      start_[least + 1] += 3;
+      ++start_[second + 1];
     }
-    entries_.resize(start_.back());
-    std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    forEach(mesh,
-      [&](const std::array<Index, 3>& f, Index code)
-      {
-        const auto others = static_cast<std::uint64_t>(f[1]) << 32 | static_cast<std::uint64_t>(f[2]);
-        entries_[next[f[0]]++] = { others, static_cast<std::uint32_t>(code) };
-      });
+    for (const auto& triangle : mesh.triangles)
+    {
+      ++start_[*std::min_element(triangle.begin(), triangle.end()) + 1];
+    }
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    entries_ = std::make_unique_for_overwrite<Entry[]>(start_.back());
+    fill(mesh);
   }
   std::size_t count() const { return start_.size() - 1; }
-  // The entries of one bucket, equal faces side by side, tetrahedra before triangles.
-  const Entry* sortedBegin(std::size_t bucket)
-  {
-    std::sort(entries_.data() + start_[bucket], entries_.data() + start_[bucket + 1]);
-    return entries_.data() + start_[bucket];
-  }
-  const Entry* end(std::size_t bucket) const { return entries_.data() + start_[bucket + 1]; }
+  Entry* begin(std::size_t bucket) { return entries_.get() + start_[bucket]; }
+  Entry* end(std::size_t bucket) { return entries_.get() + start_[bucket + 1]; }
 
 private:
-  template <class Visit>
-  static void forEach(const MeshData& mesh, Visit visit)
+  void fill(const MeshData& mesh)
   {
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    const auto add = [&](Index bucket, Index middle, Index largest, Index code)
+    {
+      entries_[next[bucket]++] = { static_cast<std::uint64_t>(middle) << 32 |
+          static_cast<std::uint64_t>(largest),
+        static_cast<std::uint32_t>(code) };
+    };
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     {
-      for (int f = 0; f < 4; ++f)
-      {
-        visit(sorted(faceOfTet(mesh.tetrahedra[t], f)), halfFace(static_cast<Index>(t), f));
-      }
+      const auto r = rankedCorners(mesh.tetrahedra[t]);
+      const Index v[4] = { vertexOf(r[0]), vertexOf(r[1]), vertexOf(r[2]), vertexOf(r[3]) };
+      const auto opposite = [&](int i) { return halfFace(static_cast<Index>(t), cornerOf(r[i])); };
+      add(v[0], v[1], v[2], opposite(3));
+      add(v[0], v[1], v[3], opposite(2));
+      add(v[0], v[2], v[3], opposite(1));
+      add(v[1], v[2], v[3], opposite(0));
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     {
-      visit(sorted(mesh.triangles[i]), boundaryHalfFace(static_cast<Index>(i)));
+      const auto v = sortedCorners(mesh.triangles[i]);
+      add(v[0], v[1], v[2], boundaryHalfFace(static_cast<Index>(i)));
     }
   }
 
-  std::vector<std::size_t> start_;
-  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> start_;
+  std::unique_ptr<Entry[]> entries_;
 };
 
 void noteFirst(Index& first, Index candidate)
@@ -173,6 +210,95 @@ void refuseMixedPatches(const MeshData& mesh, FaceMatching& result)
       return mixed;
     });
 }
+
+// Finds equal faces by a small table; sorting each bucket instead takes three times as long.
+class PairTable
+{
+public:
+  // Pairs all entries of the bucket off. False, with nothing of use in result, where a face has not exactly two
+  // entries, or two triangles, or where the bucket is too large for the table.
+  bool match(const FaceBuckets::Entry* begin, const FaceBuckets::Entry* end, FaceMatching& result)
+  {
+    if (end - begin > static_cast<std::ptrdiff_t>(Size / 2))
+    {
+      return false;
+    }
+    ++bucket_;
+    std::ptrdiff_t open = 0;
+    for (const FaceBuckets::Entry* e = begin; e != end; ++e)
+    {
+      Slot& slot = find(e->others);
+      if (slot.bucket != bucket_)
+      {
+        slot = { e->others, e->code, bucket_ };
+        ++open;
+        continue;
+      }
+      if (slot.code == Paired || (isBoundary(e->signedCode()) && isBoundary(static_cast<Index>(slot.code))))
+      {
+        return false;
+      }
+      // Triangles come after tetrahedra: the slot's is one of the latter.
+      result.opposite[slot.code] = e->signedCode();
+      if (!isBoundary(e->signedCode()))
+      {
+        result.opposite[e->code] = static_cast<Index>(slot.code);
+      }
+      slot.code = Paired;
+      --open;
+    }
+    return open == 0;
+  }
+
+private:
+  static constexpr std::size_t Size = 512;
+  static constexpr std::uint32_t Paired = static_cast<std::uint32_t>(FaceMatching::Unmatched);
+  struct Slot
+  {
+    std::uint64_t others = 0;
+    std::uint32_t code = 0;
+    std::uint32_t bucket = 0; // that the slot was last used for
+  };
+
+  // The slot that holds these vertices, or the free one where they belong.
+  Slot& find(std::uint64_t others)
+  {
+    std::size_t i = (others * 0x9e3779b97f4a7c15ULL) >> 55; // Fibonacci hashing to 9 bits
+    while (slots_[i].bucket == bucket_ && slots_[i].others != others)
+    {
+      i = (i + 1) % Size;
+    }
+    return slots_[i];
+  }
+
+  std::array<Slot, Size> slots_;
+  std::uint32_t bucket_ = 0;
+};
+
+// Sorts the bucket: equal faces side by side, tetrahedra before triangles.
+void matchBySorting(FaceBuckets::Entry* begin, FaceBuckets::Entry* end, FaceMatching& result)
+{
+  for (const FaceBuckets::Entry* e = begin; e != end; ++e)
+  {
+    if (!isBoundary(e->signedCode()))
+    {
+      result.opposite[e->code] = FaceMatching::Unmatched;
+    }
+  }
+  std::sort(begin, end);
+  while (begin != end)
+  {
+    const FaceBuckets::Entry* next = begin;
+    while (next != end && next->others == begin->others)
+    {
+      ++next;
+    }
+    const FaceBuckets::Entry* split = std::find_if(static_cast<const FaceBuckets::Entry*>(begin), next,
+      [](const FaceBuckets::Entry& e) { return isBoundary(e.signedCode()); });
+    matchOneFace(begin, split, next, result);
+    begin += next - begin;
+  }
+}
 } // namespace
 
 FaceMatching matchFaces(const MeshData& mesh)
@@ -180,21 +306,14 @@ FaceMatching matchFaces(const MeshData& mesh)
   FaceMatching result;
   result.opposite.assign(4 * mesh.tetrahedra.size(), FaceMatching::Unmatched);
   FaceBuckets buckets(mesh);
+  PairTable pairs;
   for (std::size_t bucket = 0; bucket < buckets.count(); ++bucket)
   {
-    const FaceBuckets::Entry* begin = buckets.sortedBegin(bucket);
-    const FaceBuckets::Entry* end = buckets.end(bucket);
-    while (begin != end)
+    FaceBuckets::Entry* begin = buckets.begin(bucket);
+    FaceBuckets::Entry* end = buckets.end(bucket);
+    if (!pairs.match(begin, end, result))
     {
-      const FaceBuckets::Entry* next = begin;
-      while (next != end && next->others == begin->others)
-      {
-        ++next;
-      }
-      const FaceBuckets::Entry* split =
-        std::find_if(begin, next, [](const FaceBuckets::Entry& e) { return isBoundary(e.signedCode()); });
-      matchOneFace(begin, split, next, result);
-      begin = next;
+      matchBySorting(begin, end, result);
     }
   }
   refuseMixedPatches(mesh, result);

@@ -4,6 +4,32 @@
 
 namespace ransmesh
 {
+TetMesh::TetMesh(const MeshData& data, const std::vector<HalfFace>& opposite)
+  : points_(data.points)
+  , vertexTet_(data.points.size(), None)
+  , boundary_(data.triangles.size())
+{
+  tets_.reserve(data.tetrahedra.size());
+  for (std::size_t i = 0; i < data.tetrahedra.size(); ++i)
+  {
+    const auto t = static_cast<Index>(i);
+    const HalfFace* beyond = opposite.data() + 4 * i;
+    tets_.push_back({ data.tetrahedra[i], { beyond[0], beyond[1], beyond[2], beyond[3] } });
+    for (int f = 0; f < 4; ++f)
+    {
+      vertexTet_[data.tetrahedra[i][f]] = t;
+      if (isBoundary(beyond[f]))
+      {
+        boundary_[boundaryFaceOf(beyond[f])].inner = halfFace(t, f);
+      }
+    }
+  }
+  for (std::size_t b = 0; b < boundary_.size(); ++b)
+  {
+    boundary_[b].patch = data.trianglePatch[b];
+  }
+}
+
 Index TetMesh::addVertex(const Vector3& x)
 {
   points_.push_back(x);
@@ -90,13 +116,6 @@ Index TetMesh::appendTets(std::size_t count)
   const auto first = static_cast<Index>(tets_.size());
   tets_.resize(tets_.size() + count, Tetrahedron{ { None, None, None, None }, {} });
   return first;
-}
-
-void TetMesh::reserve(std::size_t vertices, std::size_t tets)
-{
-  points_.reserve(vertices);
-  vertexTet_.reserve(vertices);
-  tets_.reserve(tets);
 }
 
 namespace

@@ -72,6 +72,11 @@ struct BoundaryFace
 class TetMesh
 {
 public:
+  TetMesh() = default;
+  // A valid mesh as it is, with the neighbours that matchFaces gives (Mesh/FaceMatching.h): numbers are kept,
+  // boundary face i is triangle i.
+  TetMesh(const MeshData& data, const std::vector<HalfFace>& opposite);
+
   const std::vector<Vector3>& points() const { return points_; }
   const Vector3& point(Index v) const { return points_[v]; }
   void movePoint(Index v, const Vector3& x) { points_[v] = x; }
@@ -107,7 +112,6 @@ public:
   // Appends count dead tetrahedra in one piece, to be filled by fillTet; gives the first number.
   Index appendTets(std::size_t count);
   void fillTet(Index t, const Tetrahedron& content) { tets_[t] = content; }
-  void reserve(std::size_t vertices, std::size_t tets);
 
 private:
   std::vector<Vector3> points_;

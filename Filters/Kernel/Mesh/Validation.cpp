@@ -1,10 +1,9 @@
 #include "Mesh/Validation.h"
 
+#include "Geometry/CoincidentPoints.h"
 #include "Geometry/Predicates.h"
 
 #include <algorithm>
-#include <numeric>
-#include <tuple>
 
 namespace ransmesh
 {
@@ -57,16 +56,9 @@ void checkPoints(const MeshData& mesh, MeshFaults& faults)
   {
     return;
   }
-  std::vector<Index> order(p.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&p](Index a, Index b) { return std::tie(p[a].x, p[a].y, p[a].z) < std::tie(p[b].x, p[b].y, p[b].z); });
-  for (std::size_t i = 1; i < order.size(); ++i)
+  for (const Index v : findCoincident(p))
   {
-    if (p[order[i - 1]] == p[order[i]])
-    {
-      note(faults.pointsCoincident, order[i]);
-    }
+    note(faults.pointsCoincident, v);
   }
 }
 
