@@ -95,6 +95,8 @@ void vtkRANSLayerAlgorithm::OverrideRecorded(ransmesh::LayerSpecification& s) co
   override(s.numberOfLayers, this->NumberOfLayers, ransmesh::defaults::numberOfLayers);
   override(s.constantLayers, this->ConstantLayers, ransmesh::defaults::constantLayers);
   override(s.isotropicFraction, this->IsotropicFraction, ransmesh::defaults::isotropicFraction);
+  override(s.normalAngle, this->NormalAngle, ransmesh::defaults::normalAngle);
+  override(s.fanAngle, this->FanAngle, ransmesh::defaults::fanAngle);
   if (this->TotalThickness > 0)
   {
     s.numberOfLayers = ransmesh::layersForThickness(s, this->TotalThickness);
@@ -127,6 +129,8 @@ ransmesh::LayerRequest vtkRANSLayerAlgorithm::MakeRequest() const
   request.general.numberOfLayers = this->NumberOfLayers;
   request.general.constantLayers = this->ConstantLayers;
   request.general.isotropicFraction = this->IsotropicFraction;
+  request.general.normalAngle = this->NormalAngle;
+  request.general.fanAngle = this->FanAngle;
   request.totalThickness = this->TotalThickness;
   request.wallPatterns = this->Rules->WallPatterns;
   request.patchLayers = this->Rules->PatchLayers;

@@ -225,7 +225,18 @@ void writePlan(const LayerPlan& plan, vtkFieldData* fieldData)
   addColumn<vtkIntArray>(fieldData, contract::LayersConstant, plan, &LayerSpecification::constantLayers);
   addColumn<vtkDoubleArray>(
     fieldData, contract::LayersIsotropicFraction, plan, &LayerSpecification::isotropicFraction);
+  addColumn<vtkDoubleArray>(fieldData, contract::LayersNormalAngle, plan, &LayerSpecification::normalAngle);
+  addColumn<vtkDoubleArray>(fieldData, contract::LayersFanAngle, plan, &LayerSpecification::fanAngle);
 }
+
+namespace
+{
+// The array's entry, where there is one.
+double valueOr(vtkDataArray* array, vtkIdType row, double otherwise)
+{
+  return array && row < array->GetNumberOfTuples() ? array->GetTuple1(row) : otherwise;
+}
+} // namespace
 
 LayerPlan readPlan(vtkFieldData* fieldData)
 {
@@ -249,6 +260,8 @@ LayerPlan readPlan(vtkFieldData* fieldData)
     s.numberOfLayers = static_cast<int>(number->GetTuple1(i));
     s.constantLayers = static_cast<int>(constant->GetTuple1(i));
     s.isotropicFraction = fraction->GetTuple1(i);
+    s.normalAngle = valueOr(fieldData->GetArray(contract::LayersNormalAngle), i, s.normalAngle);
+    s.fanAngle = valueOr(fieldData->GetArray(contract::LayersFanAngle), i, s.fanAngle);
     plan.push_back(s);
   }
   return plan;

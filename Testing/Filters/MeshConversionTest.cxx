@@ -101,6 +101,8 @@ TEST(MeshConversion, planRoundTrip)
   plan[1].numberOfLayers = 17;
   plan[1].constantLayers = 2;
   plan[1].isotropicFraction = 0.5;
+  plan[1].normalAngle = 40;
+  plan[1].fanAngle = 15;
   vtkNew<vtkUnstructuredGrid> grid;
   EXPECT_TRUE(readPlan(grid->GetFieldData()).empty());
   writePlan(plan, grid->GetFieldData());
@@ -112,6 +114,8 @@ TEST(MeshConversion, planRoundTrip)
   EXPECT_EQ(back[1].numberOfLayers, 17);
   EXPECT_EQ(back[1].constantLayers, 2);
   EXPECT_EQ(back[1].isotropicFraction, 0.5);
+  EXPECT_EQ(back[1].normalAngle, 40);
+  EXPECT_EQ(back[1].fanAngle, 15);
 }
 
 TEST(MeshConversion, refusesAnEmptyGrid)

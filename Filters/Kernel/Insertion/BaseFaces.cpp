@@ -36,10 +36,12 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     for (int j = 0; j < 3; ++j)
     {
       face.column[j] = set.standingAt(face.vertex[j]);
+      face.root[j] = face.column[j] == None ? face.vertex[j] : set.columns[face.column[j]].root;
       face.rise[j] = j;
     }
-    std::sort(
-      face.rise.begin(), face.rise.end(), [&face](int j, int k) { return face.column[j] < face.column[k]; });
+    std::sort(face.rise.begin(), face.rise.end(),
+      [&face](int j, int k)
+      { return std::tie(face.root[j], face.column[j]) < std::tie(face.root[k], face.column[k]); });
     faces.push_back(face);
   }
   return faces;

@@ -11,20 +11,43 @@ namespace ransmesh
 {
 struct BaseFace
 {
+  // Is there a triangle of the wall below the face?
+  bool hasBase() const { return root[0] != root[1] && root[1] != root[2] && root[2] != root[0]; }
+
   Index face = None; // the boundary face
   int patch = 0;
   std::array<Index, 3> column; // on the corners, turned into the fluid; None where none stands
   std::array<int, 3> rise;     // corners in the order in which they rise at each level
   std::array<Index, 3> vertex; // the corners
+  std::array<Index, 3> root;   // the wall's vertices below them; in a fan, corners share one
   std::array<int, 3>
     sideOpposite{}; // patch beyond the edge opposite to the corner, where it is a side; else 0
+};
+
+// Which corners of a stack still stand on the wall. As long as two of them share a root, the next
+// tetrahedron of the stack has no volume and is left out.
+class BaseCorners
+{
+public:
+  explicit BaseCorners(const BaseFace& face)
+    : at_(face.root)
+    , distinct_(face.hasBase())
+  {
+  }
+  bool isFlat() const { return !distinct_ && (at_[0] == at_[1] || at_[1] == at_[2] || at_[2] == at_[0]); }
+  void rise(int corner) { at_[corner] = -2 - corner; }
+
+private:
+  std::array<Index, 3> at_; // roots, or a number of its own for a corner that has risen
+  bool distinct_;
 };
 
 // Does the face carry layers: has it a standing column for which its patch is not a side?
 bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace);
 
-// All faces that carry layers, by number. Within a level columns rise in order of their number, in every
-// face alike: that makes neighbouring stacks match.
+// All faces that carry layers, by number. Within a level columns rise in order of their roots' numbers, then
+// of their own, in every face alike: that makes neighbouring stacks match. That those of one root rise one
+// after the other keeps the bottoms of fans from having flat tetrahedra.
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set);
 
 // Gives every edge of a base face that has no base face beyond it the side patch that lies there.

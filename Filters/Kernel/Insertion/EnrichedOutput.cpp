@@ -1,5 +1,6 @@
 #include "Insertion/EnrichedOutput.h"
 
+#include "Insertion/FanOpening.h"
 #include "Insertion/LayerStacks.h"
 
 #include <algorithm>
@@ -19,10 +20,7 @@ void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const Colu
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     const Column& c = set.columns[i];
-    if (c.levels > 0)
-    {
-      topOf[baseNumber[c.vertex]] = numbers.at(static_cast<Index>(i), c.levels);
-    }
+    topOf[baseNumber[c.vertex]] = numbers.at(static_cast<Index>(i), c.levels);
   }
   for (auto& tet : data.tetrahedra)
   {
@@ -44,16 +42,14 @@ void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const Colu
   data.trianglePatch.clear();
   for (const Index b : order)
   {
-    const auto inward = mesh.boundaryVertices(b);
-    std::array<Index, 3> outward = { baseNumber[inward[0]], baseNumber[inward[2]], baseNumber[inward[1]] };
-    if (!carriesLayers(mesh, set, b))
+    if (mesh.boundaryFace(b).patch == FrontOnly)
     {
-      for (Index& v : outward)
-      {
-        v = topOf[v];
-      }
+      continue;
     }
-    data.triangles.push_back(outward);
+    const bool onWall = carriesLayers(mesh, set, b);
+    const auto place = [&](Index v) { return onWall ? baseNumber[set.rootOf(v)] : topOf[baseNumber[v]]; };
+    const auto inward = mesh.boundaryVertices(b);
+    data.triangles.push_back({ place(inward[0]), place(inward[2]), place(inward[1]) });
     data.trianglePatch.push_back(mesh.boundaryFace(b).patch);
   }
 }
@@ -65,14 +61,16 @@ void addColumnPoints(
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     const Column& c = set.columns[i];
-    const Index base = baseNumber[c.vertex];
-    points[base] = c.base;
-    result.column[base] = static_cast<Index>(i);
-    for (int level = 1; level <= c.levels; ++level)
+    const auto number = static_cast<Index>(i);
+    const Index vertex = baseNumber[c.vertex];
+    result.column[vertex] = number;
+    result.origin[vertex] = c.root;
+    points[vertex] = c.ownsTop() ? mesh.point(c.vertex) : c.base;
+    for (int level = 1; level <= (c.ownsTop() ? c.levels - 1 : c.levels); ++level)
     {
       points.push_back(level == c.levels ? mesh.point(c.vertex) : set.pointAt(c, level));
-      result.column.push_back(static_cast<Index>(i));
-      result.origin.push_back(c.vertex);
+      result.column.push_back(number);
+      result.origin.push_back(c.root);
     }
   }
 }
@@ -108,26 +106,41 @@ void appendStacks(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints&
   result.report.layerTets = data.tetrahedra.size() - beyond;
 }
 
+WallPoint wallPointOf(const ColumnSet& set, const ColumnPoints& numbers, Index column, const MeshData& mesh)
+{
+  const Column& c = set.columns[column];
+  const LayerHeights& heights = set.heightsOf(c);
+  WallPoint point;
+  point.point = numbers.at(column, 0);
+  point.patch = c.patch;
+  point.layersAsked = c.asked;
+  point.layersAchieved = c.levels;
+  point.firstHeightAsked = heights.count() > 0 ? heights.height(1) : 0;
+  if (c.levels > 0)
+  {
+    // The direction is scaled to rise by one, so the step's share of it is the height.
+    const Vector3 step = mesh.points[numbers.at(column, 1)] - c.base;
+    point.firstHeightAchieved = dot(step, c.direction) / dot(c.direction, c.direction);
+  }
+  point.reason = c.reason;
+  return point;
+}
+
+// One entry a root: of the columns of a fan, the lowest one speaks for the point.
 void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMesh& result)
 {
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     const Column& c = set.columns[i];
-    const LayerHeights& heights = set.heightsOf(c);
-    WallPoint point;
-    point.point = numbers.at(static_cast<Index>(i), 0);
-    point.patch = c.patch;
-    point.layersAsked = c.asked;
-    point.layersAchieved = c.levels;
-    point.firstHeightAsked = heights.count() > 0 ? heights.height(1) : 0;
-    if (c.levels > 0)
+    const WallPoint point = wallPointOf(set, numbers, static_cast<Index>(i), result.mesh);
+    if (!c.ownsTop())
     {
-      // The direction is scaled to rise by one, so the step's share of it is the height.
-      const Vector3 step = result.mesh.points[numbers.at(static_cast<Index>(i), 1)] - c.base;
-      point.firstHeightAchieved = dot(step, c.direction) / dot(c.direction, c.direction);
+      result.wallPoints.push_back(point);
     }
-    point.reason = c.reason;
-    result.wallPoints.push_back(point);
+    else if (WallPoint& main = result.wallPoints[set.mainOf(c)]; point.layersAchieved < main.layersAchieved)
+    {
+      main = point;
+    }
     ++result.report.columnsByReason[static_cast<std::size_t>(c.reason)];
     result.report.pointsInserted += static_cast<std::size_t>(c.levels);
   }

@@ -1,6 +1,7 @@
 #include "Insertion/Enrichment.h"
 
 #include "Insertion/EnrichedOutput.h"
+#include "Insertion/FanOpening.h"
 #include "Insertion/FrontImprovement.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
@@ -33,10 +34,9 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
   limitBySlope(mesh, stars, set);
   for (Column& c : set.columns)
   {
-    c.limit(caps[c.vertex], StopReason::Refused);
+    c.limit(caps[c.root], StopReason::Refused);
   }
   settleDisagreements(mesh, set);
-  limitByFolds(mesh, set);
   return set;
 }
 
@@ -60,7 +60,7 @@ void lowerFolded(
     {
       if (const Index c = set.standingAt(v); c != None)
       {
-        caps[v] = set.columns[c].levels / 2;
+        caps[set.columns[c].root] = set.columns[c].levels / 2;
       }
     }
   }
@@ -90,9 +90,11 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
       return outcome;
     }
     context.report(0.1, "planning columns");
-    const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
     EnrichedMesh enriched;
     ColumnSet set = planColumns(mesh, patches, plan, options, caps);
+    enriched.report.fans = openFans(mesh, set);
+    limitByFolds(mesh, set);
+    const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
     enriched.report.restarts = attempt;
     enriched.report.columns = set.columns.size();
     enriched.report.pointsRequested = countPoints(set);

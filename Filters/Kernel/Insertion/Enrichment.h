@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Boundary/Patch.h"
+#include "Insertion/FanOpening.h"
 #include "Insertion/FrontRaising.h"
 #include "Layers/Column.h"
 #include "Mesh/MeshData.h"
@@ -44,6 +45,7 @@ struct EnrichmentReport
   std::size_t improvements = 0; // swaps and movements beyond the front
   std::size_t restarts = 0;     // times that folded stacks were lowered and the stage began anew
   std::array<std::size_t, static_cast<std::size_t>(StopReason::Count)> columnsByReason{};
+  FanReport fans;
   RaisingReport raising;
 };
 

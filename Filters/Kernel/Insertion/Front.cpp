@@ -13,6 +13,11 @@ Front::Front(const TetMesh& mesh, const ColumnSet& set)
   , faces_(collectBaseFaces(mesh, set))
   , start_(set.columns.size() + 1, 0)
 {
+  for (std::size_t c = 0; c < set.columns.size(); ++c)
+  {
+    const double thickness = set.thickness(set.columns[c]);
+    share_[c] = thickness > 0 ? set.columns[c].lifted / thickness : 0;
+  }
   const auto forEach = [this](auto visit)
   {
     for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -60,6 +65,7 @@ bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) 
   {
     current[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
   }
+  BaseCorners corners(face);
   for (const int corner : face.rise)
   {
     const Index c = face.column[corner];
@@ -68,10 +74,11 @@ bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) 
       continue;
     }
     const Vector3& top = c == moved ? x : mesh_.point(face.vertex[corner]);
-    if (!isPositive(current[0], current[1], current[2], top))
+    if (!corners.isFlat() && !isPositive(current[0], current[1], current[2], top))
     {
       return false;
     }
+    corners.rise(corner);
     current[corner] = top;
   }
   return true;

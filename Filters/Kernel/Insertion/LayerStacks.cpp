@@ -7,9 +7,11 @@ ColumnPoints::ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseN
   std::size_t next = firstNew;
   for (const Column& c : set.columns)
   {
-    base_.push_back(baseNumber[c.vertex]);
+    base_.push_back(baseNumber[c.root]);
     first_.push_back(static_cast<Index>(next));
-    next += static_cast<std::size_t>(c.levels);
+    top_.push_back(c.ownsTop() ? baseNumber[c.vertex] : static_cast<Index>(next) + c.levels - 1);
+    levels_.push_back(c.levels);
+    next += static_cast<std::size_t>(c.ownsTop() ? c.levels - 1 : c.levels);
   }
   count_ = next - firstNew;
 }
@@ -33,15 +35,20 @@ public:
     std::array<Index, 3> current;
     for (int j = 0; j < 3; ++j)
     {
-      current[j] = baseNumber_[face.vertex[j]];
+      current[j] = baseNumber_[face.root[j]];
     }
     int level = -1;
     forEachRise(set_, face,
-      [&](int below, int corner)
+      [&](int below, int corner, bool isFlat)
       {
         prism_ += below != level;
         level = below;
         const Index risen = numbers_.at(face.column[corner], below + 1);
+        if (isFlat)
+        {
+          current[corner] = risen;
+          return;
+        }
         sink_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
         sink_.layer.push_back(below + 1);
         sink_.prism.push_back(prism_);
@@ -83,6 +90,11 @@ std::size_t countStackTets(const ColumnSet& set, const std::vector<BaseFace>& fa
   std::size_t count = 0;
   for (const BaseFace& face : faces)
   {
+    if (!face.hasBase())
+    {
+      forEachRise(set, face, [&count](int, int, bool isFlat) { count += isFlat ? 0 : 1; });
+      continue;
+    }
     for (const Index c : face.column)
     {
       count += c == None ? 0 : static_cast<std::size_t>(set.columns[c].levels);

@@ -20,18 +20,26 @@ namespace ransmesh
 class ColumnPoints
 {
 public:
-  // Levels 1.. of each column follow each other from firstNew on; level 0 is baseNumber[vertex].
+  // Level 0 is the root's number; levels 1.. of each column follow each other from firstNew on, but a top
+  // that the column owns has the number of its vertex.
   ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseNumber, std::size_t firstNew);
-  Index at(Index column, int level) const { return level == 0 ? base_[column] : first_[column] + level - 1; }
+  Index at(Index column, int level) const
+  {
+    return level == 0 ? base_[column] : level == levels_[column] ? top_[column] : first_[column] + level - 1;
+  }
+  // How many points are new.
   std::size_t count() const { return count_; }
 
 private:
   std::vector<Index> base_;
   std::vector<Index> first_;
+  std::vector<Index> top_;
+  std::vector<int> levels_;
   std::size_t count_ = 0;
 };
 
-// Visits the rising corners of a stack in order: visit(level, corner), level from 0 below each rise.
+// Visits the rising corners of a stack in order: visit(level, corner, isFlat), level from 0 below each rise.
+// A flat rise, at the bottom of a fan, makes no tetrahedron.
 template <class Visit>
 void forEachRise(const ColumnSet& set, const BaseFace& face, Visit visit)
 {
@@ -42,13 +50,15 @@ void forEachRise(const ColumnSet& set, const BaseFace& face, Visit visit)
     levels[j] = face.column[j] == None ? 0 : set.columns[face.column[j]].levels;
     highest = levels[j] > highest ? levels[j] : highest;
   }
+  BaseCorners corners(face);
   for (int level = 0; level < highest; ++level)
   {
     for (const int corner : face.rise)
     {
       if (level < levels[corner])
       {
-        visit(level, corner);
+        visit(level, corner, corners.isFlat());
+        corners.rise(corner);
       }
     }
   }

@@ -30,10 +30,10 @@ bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
   std::array<Vector3, 3> current = basePoints(mesh, set, face);
   bool positive = true;
   forEachRise(set, face,
-    [&](int below, int corner)
+    [&](int below, int corner, bool isFlat)
     {
       const Vector3 risen = levelPoint(mesh, set, set.columns[face.column[corner]], below + 1);
-      positive = positive && isPositive(current[0], current[1], current[2], risen);
+      positive = positive && (isFlat || isPositive(current[0], current[1], current[2], risen));
       current[corner] = risen;
     });
   return !positive;
@@ -43,6 +43,7 @@ bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 bool slabFolds(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 {
   std::array<Vector3, 3> current = basePoints(mesh, set, face);
+  BaseCorners corners(face);
   for (const int corner : face.rise)
   {
     if (face.column[corner] == None)
@@ -51,10 +52,11 @@ bool slabFolds(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
     }
     const Column& c = set.columns[face.column[corner]];
     const Vector3 top = set.pointAt(c, c.levels);
-    if (c.levels > 0 && !isPositive(current[0], current[1], current[2], top))
+    if (c.levels > 0 && !corners.isFlat() && !isPositive(current[0], current[1], current[2], top))
     {
       return true;
     }
+    corners.rise(corner);
     current[corner] = top;
   }
   return false;
@@ -84,7 +86,7 @@ void limitByFolds(const TetMesh& mesh, ColumnSet& set)
       }
       for (const Index c : face.column)
       {
-        if (c != None && set.columns[c].levels > 0)
+        if (c != None && set.columns[c].levels > set.columns[c].lowest)
         {
           set.columns[c].limit(set.columns[c].levels / 2, StopReason::Corner);
           changed = true;
@@ -122,7 +124,8 @@ bool mendFolds(TetMesh& mesh, ColumnSet& set, std::vector<Index>& foldedFaces)
       const int highest = highestLevel(set, faces[face]);
       for (const Index c : faces[face].column)
       {
-        if (c != None && !touched[c] && set.columns[c].levels > 0 && set.columns[c].levels >= highest)
+        if (c != None && !touched[c] && set.columns[c].levels > set.columns[c].lowest &&
+          set.columns[c].levels >= highest)
         {
           touched[c] = lowerTop(mesh, set, c, set.columns[c].levels / 2);
           lowered = lowered || touched[c];
@@ -155,7 +158,7 @@ bool lowerTop(TetMesh& mesh, ColumnSet& set, Index column, int level)
   Traversal traversal(mesh);
   std::vector<Index> ball;
   traversal.ball(c.vertex, ball);
-  for (; level >= 0; --level)
+  for (level = std::max(level, c.lowest); level >= c.lowest; --level)
   {
     const Vector3 x = level > 0 ? set.pointAt(c, level) : c.base;
     const bool stands = std::all_of(ball.begin(), ball.end(),

@@ -1,6 +1,7 @@
 // Columns: the lines of points that stand on the walls.
 #pragma once
 
+#include "Layers/Fan.h"
 #include "Layers/LayerSpecification.h"
 #include "Layers/SidePath.h"
 #include "Mesh/MeshData.h"
@@ -31,7 +32,8 @@ inline constexpr std::array<std::string_view, static_cast<std::size_t>(StopReaso
 
 struct Column
 {
-  Index vertex = None;              // the wall's vertex
+  Index root = None;                // the wall's vertex
+  Index vertex = None;              // its top in the mesh: the root, or in a fan a vertex of its own
   Vector3 base;                     // where it stands on the wall
   Vector3 direction;                // the step that rises by one above the wall faces
   int patch = 0;                    // whose heights it follows
@@ -40,12 +42,16 @@ struct Column
   double size = 0;                  // mean length of the wall's edges here
   int asked = 0;                    // layers asked for
   int levels = 0;                   // layers that it is to have, or has
+  int lowest = 0;                   // it can not have fewer; 1 where another column of its root may have none
+  double lifted = 0;                // height at which its top stands before the front rises
   StopReason reason = StopReason::Complete;
 
   bool staysIn(int p) const { return p != 0 && (sides[0] == p || sides[1] == p); }
-  // Lowers the column to level, if it is higher.
+  bool ownsTop() const { return vertex != root; }
+  // Lowers the column to level, or as far as it can be, if it is higher.
   void limit(int level, StopReason why)
   {
+    level = level < lowest ? lowest : level;
     if (level < levels)
     {
       levels = level;
@@ -56,10 +62,11 @@ struct Column
 
 struct ColumnSet
 {
-  std::vector<Column> columns;       // in order of vertex number
-  std::vector<Index> ofVertex;       // the column on each vertex, or None
+  std::vector<Column> columns;       // one a root, in order of vertex number; then those of the fans
+  std::vector<Index> ofVertex;       // the column with this top, or None
   std::vector<LayerHeights> heights; // by patch
   std::vector<SidePath> paths;       // of columns in curved sides
+  std::vector<Fan> fans;             // in order of their main columns
 
   const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
   double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }
@@ -69,6 +76,10 @@ struct ColumnSet
   {
     return c.path == None ? c.base + height * c.direction : paths[c.path].at(height);
   }
+  // The column that was first on the root of c; these are in order of root, before all others.
+  Index mainOf(const Column& c) const { return ofVertex[c.root]; }
+  // The wall's vertex below a vertex of the front; any other vertex is its own.
+  Index rootOf(Index v) const { return ofVertex[v] == None ? v : columns[ofVertex[v]].root; }
   // The column at v if it has at least one layer, else None.
   Index standingAt(Index v) const
   {

@@ -1,6 +1,9 @@
 #include "Layers/ColumnBuilder.h"
 
 #include "Boundary/SurfaceNormals.h"
+#include "Geometry/Angles.h"
+#include "Layers/Directions.h"
+#include "Layers/FanPlanning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +14,10 @@ namespace
 {
 // A patch is a side where it rises from the wall at 30 to 150 degrees.
 constexpr double SideRise = 0.5;
+// Normals of a side's faces that differ by more than this make it curved.
+constexpr double PlaneCosine = 0.99985; // 1 degree
 // Below this cosine between direction and a face's normal the layers would lie flat on the face.
 constexpr double LeastVisibility = 0.1;
-// Above it the weighted normal is good enough as it is.
-constexpr double GoodVisibility = 0.7;
-constexpr double LargestScale = 2;
 
 // What stands around one wall vertex.
 struct Surroundings
@@ -94,83 +96,14 @@ bool findSides(const std::vector<FaceAtVertex>& others, const Vector3& wallNorma
     { return std::any_of(sides.begin(), sides.end(), [&f](const Side& s) { return s.patch == f.patch; }); });
 }
 
-// Lays a vector into the planes of the sides; zero where nothing is left.
-class SideProjection
+bool arePlane(const std::vector<FaceAtVertex>& others, const std::vector<Side>& sides)
 {
-public:
-  explicit SideProjection(const std::vector<Side>& sides)
-  {
-    for (const Side& side : sides)
+  return std::all_of(others.begin(), others.end(),
+    [&sides](const FaceAtVertex& f)
     {
-      Vector3 n = side.normal;
-      for (const Vector3& u : axes_)
-      {
-        n = n - dot(n, u) * u;
-      }
-      if (norm(n) > 1e-6)
-      {
-        axes_.push_back(normalized(n));
-      }
-    }
-  }
-  Vector3 operator()(Vector3 d) const
-  {
-    for (int pass = 0; pass < 2; ++pass) // twice: the first leaves rounding errors
-    {
-      for (const Vector3& u : axes_)
-      {
-        d = d - dot(d, u) * u;
-      }
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      d[i] = std::fabs(d[i]) < 1e-14 ? 0 : d[i]; // keeps points in axis-aligned planes exactly
-    }
-    return normalized(d);
-  }
-
-private:
-  std::vector<Vector3> axes_;
-};
-
-const FaceAtVertex& leastVisible(const std::vector<FaceAtVertex>& faces, const Vector3& d)
-{
-  return *std::min_element(faces.begin(), faces.end(),
-    [&d](const FaceAtVertex& a, const FaceAtVertex& b) { return dot(a.normal, d) < dot(b.normal, d); });
-}
-
-// Turns d towards the face that it sees worst, by smaller and smaller steps, and keeps the best.
-Vector3 mostVisible(const std::vector<FaceAtVertex>& faces, const SideProjection& lay, Vector3 d)
-{
-  Vector3 best = d;
-  double bestCosine = dot(leastVisible(faces, d).normal, d);
-  double step = 0.5;
-  for (int i = 0; i < 40 && bestCosine < GoodVisibility; ++i)
-  {
-    d = lay(d + step * leastVisible(faces, d).normal);
-    step *= 0.9;
-    const double cosine = dot(leastVisible(faces, d).normal, d);
-    if (cosine > bestCosine)
-    {
-      best = d;
-      bestCosine = cosine;
-    }
-  }
-  return best;
-}
-
-// The step that rises by one above the wall faces, on their average.
-Vector3 scaledStep(const std::vector<FaceAtVertex>& walls, const Vector3& d)
-{
-  double rise = 0;
-  double weight = 0;
-  for (const FaceAtVertex& f : walls)
-  {
-    rise += f.angle * dot(f.normal, d);
-    weight += f.angle;
-  }
-  const double mean = rise / weight;
-  return std::min(LargestScale, 1 / std::max(mean, 1 / LargestScale)) * d;
+      return std::any_of(sides.begin(), sides.end(),
+        [&f](const Side& side) { return side.patch == f.patch && dot(f.normal, side.normal) > PlaneCosine; });
+    });
 }
 
 bool touchesInterface(const std::vector<FaceAtVertex>& others, const PatchTable& patches)
@@ -179,79 +112,138 @@ bool touchesInterface(const std::vector<FaceAtVertex>& others, const PatchTable&
     [&patches](const FaceAtVertex& f) { return patches[f.patch].type == PatchType::Interface; });
 }
 
-StopReason aim(const Surroundings& s, const PatchTable& patches, Column& column)
+// The sides' unit normals.
+std::vector<Vector3> normalsOf(const std::vector<Side>& sides)
 {
-  if (touchesInterface(s.others, patches))
-  {
-    return StopReason::Frozen;
-  }
-  const Vector3 wallNormal = weightedNormal(s.walls);
-  std::vector<Side> sides;
-  if (!findSides(s.others, wallNormal, sides) || sides.size() > 2 || norm(wallNormal) == 0)
-  {
-    return StopReason::Corner;
-  }
-  std::vector<FaceAtVertex> carrying = s.walls;
-  for (const FaceAtVertex& f : s.others)
-  {
-    const bool isSide =
-      std::any_of(sides.begin(), sides.end(), [&f](const Side& side) { return side.patch == f.patch; });
-    if (!isSide)
-    {
-      carrying.push_back(f);
-    }
-  }
-  for (std::size_t i = 0; i < sides.size(); ++i)
-  {
-    column.sides[i] = sides[i].patch;
-  }
-  const SideProjection lay(sides);
-  const Vector3 d = mostVisible(carrying, lay, lay(wallNormal));
-  if (dot(leastVisible(carrying, d).normal, d) < LeastVisibility)
-  {
-    return StopReason::Corner;
-  }
-  column.direction = scaledStep(s.walls, d);
-  return StopReason::Complete;
+  std::vector<Vector3> normals;
+  std::transform(
+    sides.begin(), sides.end(), std::back_inserter(normals), [](const Side& side) { return side.normal; });
+  return normals;
 }
+
+// The wall's faces, and those of other patches that are no sides: the column stands on these too.
+std::vector<FaceAtVertex> carryingFaces(const Surroundings& s, const std::vector<Side>& sides)
+{
+  std::vector<FaceAtVertex> carrying = s.walls;
+  std::copy_if(s.others.begin(), s.others.end(), std::back_inserter(carrying),
+    [&sides](const FaceAtVertex& f)
+    {
+      return std::none_of(
+        sides.begin(), sides.end(), [&f](const Side& side) { return side.patch == f.patch; });
+    });
+  return carrying;
+}
+
+class ColumnMaker
+{
+public:
+  ColumnMaker(
+    const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, const LayerPlan& plan)
+    : mesh_(mesh)
+    , stars_(stars)
+    , patches_(patches)
+    , plan_(plan)
+  {
+    for (const LayerSpecification& specification : plan)
+    {
+      set_.heights.emplace_back(specification);
+    }
+    set_.ofVertex.assign(mesh.vertexCount(), None);
+  }
+
+  ColumnSet run()
+  {
+    for (std::size_t i = 0; i < mesh_.vertexCount(); ++i)
+    {
+      const auto v = static_cast<Index>(i);
+      if (!stars_.isOnBoundary(v))
+      {
+        continue;
+      }
+      const Surroundings s = look(v, mesh_, stars_, plan_);
+      if (!s.walls.empty())
+      {
+        add(v, s);
+      }
+    }
+    return std::move(set_);
+  }
+
+private:
+  void add(Index v, const Surroundings& s)
+  {
+    Column column;
+    column.root = v;
+    column.vertex = v;
+    column.base = mesh_.point(v);
+    column.patch = s.patch;
+    column.size = s.size;
+    column.asked = plan_[s.patch].numberOfLayers;
+    column.levels = column.asked;
+    if (const StopReason reason = aim(s, column); reason != StopReason::Complete)
+    {
+      column.limit(0, reason);
+    }
+    set_.ofVertex[v] = static_cast<Index>(set_.columns.size());
+    set_.columns.push_back(column);
+  }
+
+  StopReason aim(const Surroundings& s, Column& column)
+  {
+    if (touchesInterface(s.others, patches_))
+    {
+      return StopReason::Frozen;
+    }
+    const Vector3 wallNormal = weightedNormal(s.walls);
+    std::vector<Side> sides;
+    if (!findSides(s.others, wallNormal, sides) || sides.size() > 2)
+    {
+      return StopReason::Corner;
+    }
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      column.sides[i] = sides[i].patch;
+    }
+    const std::vector<FaceAtVertex> carrying = carryingFaces(s, sides);
+    const SideProjection lay(normalsOf(sides));
+    const std::vector<Vector3> normals = normalsOf(std::span(carrying));
+    const Vector3 d = mostVisible(normals, lay, lay(wallNormal));
+    const bool seesAll = visibility(normals, d) > LeastVisibility;
+    column.direction = scaledStep(s.walls, d);
+    // The columns of a fan are straight: none stands where a side is curved.
+    const bool mayFan = carrying.size() == s.walls.size() && arePlane(s.others, sides);
+    const bool isFan = mayFan && aimFan(s, lay, seesAll, column);
+    return seesAll || isFan ? StopReason::Complete : StopReason::Corner;
+  }
+
+  bool aimFan(const Surroundings& s, const SideProjection& lay, bool singleSeesAll, Column& column)
+  {
+    FaceRing ring;
+    Fan fan;
+    fan.single = singleSeesAll ? column.direction : Vector3{};
+    const FanAngles angles{ plan_[s.patch].normalAngle / DegreesOfRadian,
+      plan_[s.patch].fanAngle / DegreesOfRadian };
+    if (!makeRing(s.walls, ring) || !planFan(column.base, mesh_, ring, lay, angles, fan, column.direction))
+    {
+      return false;
+    }
+    fan.column = static_cast<Index>(set_.columns.size());
+    set_.fans.push_back(std::move(fan));
+    return true;
+  }
+
+  const TetMesh& mesh_;
+  const BoundaryStars& stars_;
+  const PatchTable& patches_;
+  const LayerPlan& plan_;
+  ColumnSet set_;
+};
 } // namespace
 
 ColumnSet buildColumns(
   const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, const LayerPlan& plan)
 {
-  ColumnSet set;
-  set.ofVertex.assign(mesh.vertexCount(), None);
-  for (const LayerSpecification& specification : plan)
-  {
-    set.heights.emplace_back(specification);
-  }
-  for (std::size_t i = 0; i < mesh.vertexCount(); ++i)
-  {
-    const auto v = static_cast<Index>(i);
-    if (!stars.isOnBoundary(v))
-    {
-      continue;
-    }
-    const Surroundings s = look(v, mesh, stars, plan);
-    if (s.walls.empty())
-    {
-      continue;
-    }
-    Column column;
-    column.vertex = v;
-    column.base = mesh.point(v);
-    column.patch = s.patch;
-    column.size = s.size;
-    column.asked = plan[s.patch].numberOfLayers;
-    column.levels = column.asked;
-    if (const StopReason reason = aim(s, patches, column); reason != StopReason::Complete)
-    {
-      column.limit(0, reason);
-    }
-    set.ofVertex[v] = static_cast<Index>(set.columns.size());
-    set.columns.push_back(column);
-  }
-  return set;
+  return ColumnMaker(mesh, stars, patches, plan).run();
 }
 
 void settleDisagreements(const TetMesh& mesh, ColumnSet& set)

@@ -120,6 +120,27 @@ std::vector<char> findSuspects(const TetMesh& mesh, double gapFraction, const Co
   }
   return suspect;
 }
+
+// The directions of all columns on each root that may meet a surface.
+std::vector<std::vector<Vector3>> raysOf(const ColumnSet& set, const std::vector<char>& suspect)
+{
+  std::vector<std::vector<Vector3>> rays(set.columns.size());
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (suspect[i])
+    {
+      rays[i].push_back(set.columns[i].direction);
+    }
+  }
+  for (const Fan& fan : set.fans)
+  {
+    if (suspect[fan.column])
+    {
+      rays[fan.column].insert(rays[fan.column].end(), fan.directions.begin(), fan.directions.end());
+    }
+  }
+  return rays;
+}
 } // namespace
 
 int levelBelow(const ColumnSet& set, const Column& column, double height)
@@ -151,22 +172,25 @@ void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)
 void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFraction, ColumnSet& set)
 {
   RayWalk walk(mesh);
-  const std::vector<char> suspect = findSuspects(mesh, gapFraction, set);
+  const std::vector<std::vector<Vector3>> rays = raysOf(set, findSuspects(mesh, gapFraction, set));
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     Column& c = set.columns[i];
     // A column in the boundary itself has no inside to look through: see followSides.
-    if (!suspect[i] || c.sides[0] != 0 || !stars.isOnBoundary(c.vertex))
+    if (c.sides[0] != 0 || !stars.isOnBoundary(c.root))
     {
       continue;
     }
-    const double scale = norm(c.direction);
-    const double reach = set.thickness(c) * scale / gapFraction;
-    const Vector3 ray = normalized((1 / scale) * c.direction + RayLean);
-    const double free = walk.freeDistance(c.vertex, ray, reach);
-    if (free < reach)
+    for (const Vector3& direction : rays[i])
     {
-      c.limit(levelBelow(set, c, gapFraction * free / scale), StopReason::Gap);
+      const double scale = norm(direction);
+      const double reach = set.thickness(c) * scale / gapFraction;
+      const Vector3 ray = normalized((1 / scale) * direction + RayLean);
+      const double free = walk.freeDistance(c.root, ray, reach);
+      if (free < reach)
+      {
+        c.limit(levelBelow(set, c, gapFraction * free / scale), StopReason::Gap);
+      }
     }
   }
 }

@@ -44,6 +44,16 @@ Outcome checkSpecification(const LayerSpecification& s, const char* where)
     return bad("the isotropic fraction is " + textOf(s.isotropicFraction) +
       "; it must be positive (0.7 is usual): set IsotropicFraction");
   }
+  if (!(s.normalAngle > 0) || !(s.normalAngle <= 180))
+  {
+    return bad("the normal angle is " + textOf(s.normalAngle) +
+      " degrees; it must lie above 0 and not exceed 180 (30 is usual): set NormalAngle");
+  }
+  if (!(s.fanAngle >= 5) || !(s.fanAngle <= 180))
+  {
+    return bad("the fan angle is " + textOf(s.fanAngle) +
+      " degrees; it must lie between 5 and 180 (30 is usual): set FanAngle");
+  }
   return Outcome::done();
 }
 

@@ -27,6 +27,8 @@ struct LayerSpecification
   int numberOfLayers = 0;                        // 0: no layers here
   int constantLayers = defaults::constantLayers; // the first layers, all of the first height; 0 and 1 alike
   double isotropicFraction = defaults::isotropicFraction; // f of the paper's section 3, > 0
+  double normalAngle = defaults::normalAngle; // degrees, (0, 180]: convex edges that turn more open a fan
+  double fanAngle = defaults::fanAngle;       // degrees, (0, 180]: largest angle between a fan's columns
 
   bool hasLayers() const { return numberOfLayers > 0; }
 };

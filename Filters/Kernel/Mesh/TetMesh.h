@@ -105,6 +105,7 @@ public:
   void freeTet(Index t);
   Index addBoundaryFace(HalfFace inner, int patch);
   void freeBoundaryFace(Index b);
+  void setPatch(Index b, int patch) { boundary_[b].patch = patch; }
   void setVertex(Index t, int corner, Index v) { tets_[t].vertex[corner] = v; }
   void setVertexTet(Index v, Index t) { vertexTet_[v] = t; }
   // Makes the two half-faces each other's neighbours; at most one may be a boundary face.

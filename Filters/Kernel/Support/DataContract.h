@@ -19,6 +19,8 @@ inline constexpr const char* LayersGrowthRate = "LayersGrowthRate";             
 inline constexpr const char* LayersNumber = "LayersNumber";                       // int, 0: no layers here
 inline constexpr const char* LayersConstant = "LayersConstant";                   // int
 inline constexpr const char* LayersIsotropicFraction = "LayersIsotropicFraction"; // double
+inline constexpr const char* LayersNormalAngle = "LayersNormalAngle";             // double, degrees
+inline constexpr const char* LayersFanAngle = "LayersFanAngle";                   // double, degrees
 // Cell data that the quality report adds, all double; boundary triangles show the tetrahedron behind them,
 // but have no volume.
 inline constexpr const char* Volume = "Volume";                     // cube of the length unit, signed

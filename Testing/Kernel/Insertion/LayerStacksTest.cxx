@@ -68,7 +68,7 @@ TEST(LayerStacks, CornersRiseLevelByLevelInOneOrder)
   face.column[0] = None; // a column without levels does not stand
   face.rise = { 0, 1, 2 };
   std::vector<std::pair<int, int>> rises;
-  forEachRise(plate.set, face, [&](int level, int corner) { rises.emplace_back(level, corner); });
+  forEachRise(plate.set, face, [&](int level, int corner, bool) { rises.emplace_back(level, corner); });
   const std::vector<std::pair<int, int>> wanted = { { 0, 1 }, { 0, 2 }, { 1, 1 }, { 2, 1 } };
   EXPECT_EQ(rises, wanted);
 }

@@ -123,6 +123,9 @@ TEST(LayerSpecification, everyImpossibleOneSaysWhatToDo)
   {
     EXPECT_TRUE(contains(
       messageWhen([bad](LayerSpecification& s) { s.isotropicFraction = bad; }), "set IsotropicFraction"));
+    EXPECT_TRUE(
+      contains(messageWhen([bad](LayerSpecification& s) { s.normalAngle = bad; }), "set NormalAngle"));
+    EXPECT_TRUE(contains(messageWhen([bad](LayerSpecification& s) { s.fanAngle = bad; }), "set FanAngle"));
   }
 }
 } // namespace

@@ -1,0 +1,102 @@
+#include "Layers/Directions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ransmesh
+{
+namespace
+{
+// Above this the direction is good enough as it is.
+constexpr double GoodVisibility = 0.7;
+constexpr double LargestScale = 2;
+
+const Vector3& leastVisible(const std::vector<Vector3>& normals, const Vector3& d)
+{
+  return *std::min_element(normals.begin(), normals.end(),
+    [&d](const Vector3& a, const Vector3& b) { return dot(a, d) < dot(b, d); });
+}
+} // namespace
+
+SideProjection::SideProjection(const std::vector<Vector3>& normals)
+{
+  for (Vector3 n : normals)
+  {
+    for (const Vector3& u : axes_)
+    {
+      n = n - dot(n, u) * u;
+    }
+    if (norm(n) > 1e-6)
+    {
+      axes_.push_back(normalized(n));
+    }
+  }
+}
+
+Vector3 SideProjection::operator()(Vector3 d) const
+{
+  for (int pass = 0; pass < 2; ++pass) // twice: the first leaves rounding errors
+  {
+    for (const Vector3& u : axes_)
+    {
+      d = d - dot(d, u) * u;
+    }
+  }
+  return normalized(withoutRounding(d));
+}
+
+Vector3 withoutRounding(Vector3 d)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    d[i] = std::fabs(d[i]) < 1e-14 ? 0 : d[i];
+  }
+  return d;
+}
+
+double visibility(const std::vector<Vector3>& normals, const Vector3& d)
+{
+  return normals.empty() ? 1 : dot(leastVisible(normals, d), d);
+}
+
+// Turns d towards the face that it sees worst, by smaller and smaller steps, and keeps the best.
+Vector3 mostVisible(const std::vector<Vector3>& normals, const SideProjection& lay, Vector3 d)
+{
+  Vector3 best = d;
+  double bestCosine = visibility(normals, d);
+  double step = 0.5;
+  for (int i = 0; i < 40 && bestCosine < GoodVisibility; ++i)
+  {
+    d = lay(d + step * leastVisible(normals, d));
+    step *= 0.9;
+    const double cosine = visibility(normals, d);
+    if (cosine > bestCosine)
+    {
+      best = d;
+      bestCosine = cosine;
+    }
+  }
+  return best;
+}
+
+std::vector<Vector3> normalsOf(std::span<const FaceAtVertex> faces)
+{
+  std::vector<Vector3> normals;
+  std::transform(
+    faces.begin(), faces.end(), std::back_inserter(normals), [](const FaceAtVertex& f) { return f.normal; });
+  return normals;
+}
+
+Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d)
+{
+  double rise = 0;
+  double weight = 0;
+  for (const FaceAtVertex& f : walls)
+  {
+    rise += f.angle * dot(f.normal, d);
+    weight += f.angle;
+  }
+  const double mean = rise / weight;
+  return std::min(LargestScale, 1 / std::max(mean, 1 / LargestScale)) * d;
+}
+} // namespace ransmesh

@@ -1,0 +1,204 @@
+#include "Layers/FanPlanning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ransmesh
+{
+namespace
+{
+// A group's column sees its faces at least so well.
+constexpr double LeastVisibility = 0.1;
+// Faces around a tip, without a sharp edge among them, are parted where one column would see them worse.
+constexpr double TipVisibility = 0.35;
+constexpr double TipTurn = std::numbers::pi / 3;
+// The main column amid the others lies so far inside their cone.
+constexpr double LeastInside = 0.05;
+// Directions that are nearly opposite do not say which way to turn from one to the other.
+constexpr double Opposite = -0.985;
+
+struct Group
+{
+  FaceGroup faces;
+  Vector3 direction; // unit
+};
+
+Vector3 rotated(const Vector3& d, const Vector3& axis, double angle)
+{
+  const double c = std::cos(angle);
+  return c * d + std::sin(angle) * cross(axis, d) + ((1 - c) * dot(axis, d)) * axis;
+}
+
+class Planner
+{
+public:
+  Planner(const Vector3& point, const TetMesh& mesh, FaceRing& ring, const SideProjection& lay,
+    const FanAngles& angles)
+    : point_(point)
+    , mesh_(mesh)
+    , ring_(ring)
+    , lay_(lay)
+    , angles_(angles)
+  {
+  }
+
+  bool run(Fan& fan, Vector3& main)
+  {
+    groups_ = aimed(sharpGroups());
+    if (groups_.size() == 1 && visibilityOf(groups_[0]) < TipVisibility)
+    {
+      groups_ = aimed(tipGroups());
+    }
+    const bool sees = std::all_of(
+      groups_.begin(), groups_.end(), [this](const Group& g) { return visibilityOf(g) > LeastVisibility; });
+    if (groups_.size() < 2 || !sees)
+    {
+      return false;
+    }
+    fan.closed = ring_.closed;
+    fan.anchor = { ring_.faces[0].vertex[1], ring_.faces[0].vertex[2] };
+    fan.aroundMain = groups_.size() > 2;
+    return fan.aroundMain ? planAround(fan, main) : planRow(fan, main);
+  }
+
+private:
+  std::vector<FaceGroup> sharpGroups()
+  {
+    return splitRing(ring_,
+      [this](std::size_t i)
+      {
+        const Turn turn = ring_.turnAfter(point_, mesh_, i);
+        return turn.isConvex && turn.angle > angles_.normalAngle;
+      });
+  }
+
+  // Parts the faces around a tip into groups that turn by about the same.
+  std::vector<FaceGroup> tipGroups()
+  {
+    std::vector<double> turned(ring_.edgeCount() + 1, 0);
+    for (std::size_t i = 0; i < ring_.edgeCount(); ++i)
+    {
+      const Turn turn = ring_.turnAfter(point_, mesh_, i);
+      turned[i + 1] = turned[i] + (turn.isConvex ? turn.angle : 0);
+    }
+    const double total = turned.back();
+    const double parts = std::max(ring_.closed ? 3.0 : 2.0, std::ceil(total / TipTurn));
+    return splitRing(ring_,
+      [&](std::size_t i)
+      { return std::floor(parts * turned[i] / total) != std::floor(parts * turned[i + 1] / total); });
+  }
+
+  std::vector<Group> aimed(const std::vector<FaceGroup>& parts) const
+  {
+    std::vector<Group> groups;
+    for (const FaceGroup& part : parts)
+    {
+      const auto faces = part.of(ring_);
+      groups.push_back({ part, mostVisible(normalsOf(faces), lay_, lay_(weightedNormal(faces))) });
+    }
+    return groups;
+  }
+
+  double visibilityOf(const Group& g) const { return visibility(normalsOf(g.faces.of(ring_)), g.direction); }
+  Vector3 stepOf(const Group& g) const { return scaledStep(g.faces.of(ring_), g.direction); }
+
+  // The edge behind a group, from the point on.
+  Vector3 edgeAfter(const Group& g) const
+  {
+    return normalized(mesh_.point(ring_.faces[g.faces.first + g.faces.count - 1].vertex[2]) - point_);
+  }
+
+  // Directions between a and b, both left out, turning about the axis that leads from one to the other,
+  // or, where they are opposite, about the one given.
+  std::vector<Vector3> between(const Vector3& a, const Vector3& b, const Vector3& axisOfOpposite) const
+  {
+    const double cosine = dot(a, b);
+    Vector3 axis = cosine > Opposite ? cross(a, b) : axisOfOpposite - dot(axisOfOpposite, a) * a;
+    axis = normalized(axis);
+    const double angle = std::atan2(norm(cross(a, b)), cosine);
+    const int intervals = std::max(1, static_cast<int>(std::ceil(angle / angles_.fanAngle - 0.01)));
+    std::vector<Vector3> directions;
+    for (int s = 1; s < intervals; ++s)
+    {
+      directions.push_back(lay_(rotated(a, axis, angle * s / intervals)));
+    }
+    return directions;
+  }
+
+  // Two groups: their columns and those between make one row, walked there and back.
+  bool planRow(Fan& fan, Vector3& main) const
+  {
+    const Group& first = groups_[0];
+    const Group& last = groups_[1];
+    Vector3 axis = -1.0 * edgeAfter(first);
+    axis = ring_.closed ? axis + edgeAfter(last) : axis;
+    fan.directions = { stepOf(first) };
+    const std::vector<Vector3> inner = between(first.direction, last.direction, axis);
+    fan.directions.insert(fan.directions.end(), inner.begin(), inner.end());
+    main = stepOf(last);
+    const int mainNumber = static_cast<int>(fan.directions.size());
+    for (int i = 0; i <= mainNumber; ++i)
+    {
+      const std::size_t faces = i == 0 ? first.faces.count : i == mainNumber ? last.faces.count : 0;
+      fan.walk.push_back({ i, static_cast<int>(faces) });
+    }
+    for (int i = mainNumber - 1; ring_.closed && i > 0; --i)
+    {
+      fan.walk.push_back({ i, 0 });
+    }
+    return true;
+  }
+
+  // More groups: the main column stands amid the others.
+  bool planAround(Fan& fan, Vector3& main) const
+  {
+    std::vector<Vector3> units;
+    const auto add = [&](const Vector3& step, std::size_t faces)
+    {
+      fan.walk.push_back({ static_cast<int>(fan.directions.size()), static_cast<int>(faces) });
+      fan.directions.push_back(step);
+      units.push_back(normalized(step));
+    };
+    for (std::size_t i = 0; i < groups_.size(); ++i)
+    {
+      const Group& g = groups_[i];
+      add(stepOf(g), g.faces.count);
+      if (ring_.closed || i + 1 < groups_.size())
+      {
+        const Group& next = groups_[(i + 1) % groups_.size()];
+        for (const Vector3& d : between(g.direction, next.direction, -1.0 * edgeAfter(g)))
+        {
+          add(d, 0);
+        }
+      }
+    }
+    std::vector<Vector3> cone;
+    Vector3 middle;
+    for (std::size_t i = 0; i < units.size(); ++i)
+    {
+      middle += units[i];
+      if (ring_.closed || i + 1 < units.size())
+      {
+        cone.push_back(normalized(cross(units[i], units[(i + 1) % units.size()])));
+      }
+    }
+    main = mostVisible(cone, lay_, lay_(middle));
+    return visibility(cone, main) > LeastInside;
+  }
+
+  const Vector3& point_;
+  const TetMesh& mesh_;
+  FaceRing& ring_;
+  const SideProjection& lay_;
+  const FanAngles& angles_;
+  std::vector<Group> groups_;
+};
+} // namespace
+
+bool planFan(const Vector3& point, const TetMesh& mesh, FaceRing& ring, const SideProjection& lay,
+  const FanAngles& angles, Fan& fan, Vector3& main)
+{
+  return Planner(point, mesh, ring, lay, angles).run(fan, main);
+}
+} // namespace ransmesh
