@@ -6,6 +6,7 @@
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
 #include "Layers/ColumnLimits.h"
+#include "Layers/GapLimits.h"
 #include "Layers/LayerPlanning.h"
 #include "Layers/SideColumns.h"
 #include "Mesh/Builder.h"

@@ -1,5 +1,5 @@
-// How high the columns may grow: by the local isotropic size, by the gap to the opposite surface, and
-// by their neighbours.
+// How high the columns may grow: by the local isotropic size and by their neighbours. The gap to the
+// opposite surface has a file of its own (GapLimits.h).
 #pragma once
 
 #include "Boundary/BoundaryStars.h"
@@ -9,10 +9,6 @@ namespace ransmesh
 {
 // No level whose spacing exceeds the isotropic fraction of the local size (the paper's section 3).
 void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set);
-
-// No column beyond gapFraction of the distance to the surface in front of it. The distance is found by
-// walking through the mesh along the column.
-void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFraction, ColumnSet& set);
 
 // Heights of neighbours differ by no more than the distance between them: no cliffs for tall layers,
 // no effect on thin ones.

@@ -30,30 +30,31 @@ std::vector<char> patchesThatAreSides(const ColumnSet& set, std::size_t patchCou
   return isSide;
 }
 
-// The mean normal of the wall faces, so long that the column's direction rises by one.
-Vector3 upOf(const Column& c, const BoundaryStars& stars, const LayerPlan& plan)
+// The mean normal of the wall faces below a column's step, so long that the step rises by one.
+Vector3 upOf(const Column& c, const Vector3& step, const BoundaryStars& stars, const LayerPlan& plan)
 {
-  const Vector3 d = normalized(c.direction);
+  const Vector3 d = normalized(step);
   Vector3 up;
-  for (const Index face : stars.facesAt(c.vertex))
+  for (const Index face : stars.facesAt(c.root))
   {
-    const FaceAtVertex seen = stars.seenFrom(c.vertex, face);
+    const FaceAtVertex seen = stars.seenFrom(c.root, face);
     if (plan[seen.patch].hasLayers() && !c.staysIn(seen.patch) && dot(seen.normal, d) > LeastVisibility)
     {
       up += seen.angle * seen.normal;
     }
   }
-  const double rise = dot(up, c.direction);
-  return rise > 0 ? (1 / rise) * up : (1 / dot(c.direction, c.direction)) * c.direction;
+  const double rise = dot(up, step);
+  return rise > 0 ? (1 / rise) * up : (1 / dot(step, step)) * step;
 }
 
-bool isStraight(const ColumnSet& set, const Column& c, const SidePath& path)
+// Along the path, does a straight column of this step stay on it?
+bool isStraight(const ColumnSet& set, const Column& c, const Vector3& step, const SidePath& path)
 {
   return std::all_of(path.nodes.begin() + 1, path.nodes.end(),
     [&](const SidePath::Node& node)
     {
       const double h = std::min(node.height, set.thickness(c));
-      return distance(path.at(h), c.base + h * c.direction) <= Straight * h * norm(c.direction);
+      return distance(path.at(h), c.base + h * step) <= Straight * h * norm(step);
     });
 }
 
@@ -73,27 +74,68 @@ public:
 
   void follow(Column& c)
   {
-    const SideStart start{ c.vertex, c.sides, c.direction, upOf(c, stars_, plan_) };
-    const SideWay way = walk_.follow(start, set_.thickness(c) / gapFraction_);
-    if (way.path.nodes.size() < 2)
-    {
-      c.limit(0, way.end == WalkEnd::Border ? StopReason::Gap : StopReason::CurvedSide);
-      return;
-    }
-    if (!isStraight(set_, c, way.path))
+    const SideWay way = walkAlong(c, c.direction);
+    limit(c, way);
+    if (c.levels > 0 && !isStraight(set_, c, c.direction, way.path))
     {
       const SidePath::Node& first = way.path.nodes[1];
       c.direction = (1 / first.height) * (first.point - c.base);
       c.path = static_cast<Index>(set_.paths.size());
       set_.paths.push_back(way.path);
     }
-    limit(c, way);
+  }
+
+  // A fan's columns are straight: where the side is curved there stands one column alone.
+  void follow(const Fan& fan)
+  {
+    Column& c = set_.columns[fan.column];
+    std::vector<Vector3> steps = fan.directions;
+    steps.push_back(c.direction);
+    std::vector<SideWay> ways;
+    bool allStraight = true;
+    for (const Vector3& step : steps)
+    {
+      ways.push_back(walkAlong(c, step));
+      const SidePath& path = ways.back().path;
+      allStraight = allStraight && path.nodes.size() > 1 && isStraight(set_, c, step, path);
+    }
+    if (allStraight)
+    {
+      std::for_each(ways.begin(), ways.end(), [&](const SideWay& way) { limit(c, way); });
+      return;
+    }
+    c.direction = fan.single;
+    if (norm(fan.single) == 0)
+    {
+      c.limit(0, StopReason::CurvedSide);
+      return;
+    }
+    isClosed_.push_back(fan.column);
+    follow(c);
+  }
+
+  // Drops the fans that curved sides do not allow.
+  void dropClosedFans()
+  {
+    std::erase_if(set_.fans,
+      [this](const Fan& fan)
+      { return std::find(isClosed_.begin(), isClosed_.end(), fan.column) != isClosed_.end(); });
   }
 
 private:
-  void limit(Column& c, const SideWay& way)
+  SideWay walkAlong(const Column& c, const Vector3& step) const
   {
-    if (way.end == WalkEnd::Border || way.end == WalkEnd::Continued)
+    const SideStart start{ c.root, c.sides, step, upOf(c, step, stars_, plan_) };
+    return walk_.follow(start, set_.thickness(c) / gapFraction_);
+  }
+
+  void limit(Column& c, const SideWay& way) const
+  {
+    if (way.path.nodes.size() < 2)
+    {
+      c.limit(0, way.end == WalkEnd::Border ? StopReason::Gap : StopReason::CurvedSide);
+    }
+    else if (way.end == WalkEnd::Border || way.end == WalkEnd::Continued)
     {
       const double share = way.end == WalkEnd::Border ? gapFraction_ : ShareToContinuation;
       c.limit(levelBelow(set_, c, share * way.path.top()), StopReason::Gap);
@@ -110,6 +152,7 @@ private:
   ColumnSet& set_;
   SurfaceNormals normals_;
   SideWalk walk_;
+  std::vector<Index> isClosed_; // columns whose fans are dropped
 };
 } // namespace
 
@@ -117,12 +160,26 @@ void followSides(
   const TetMesh& mesh, const BoundaryStars& stars, const LayerPlan& plan, double gapFraction, ColumnSet& set)
 {
   Follower follower(mesh, stars, plan, gapFraction, set);
-  for (Column& c : set.columns)
+  std::vector<char> hasFan(set.columns.size(), 0);
+  for (const Fan& fan : set.fans)
   {
-    if (c.levels > 0 && c.sides[0] != 0)
+    hasFan[fan.column] = 1;
+  }
+  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  {
+    Column& c = set.columns[i];
+    if (c.levels > 0 && c.sides[0] != 0 && !hasFan[i])
     {
       follower.follow(c);
     }
   }
+  for (const Fan& fan : set.fans)
+  {
+    if (const Column& c = set.columns[fan.column]; c.levels > 0 && c.sides[0] != 0)
+    {
+      follower.follow(fan);
+    }
+  }
+  follower.dropClosedFans();
 }
 } // namespace ransmesh

@@ -65,24 +65,6 @@ TEST(ColumnLimits, NoSpacingAboveThePartOfTheIsotropicSize)
   EXPECT_GT(heights.spacing(c.levels + 1), 0.7 * c.size);
 }
 
-TEST(ColumnLimits, TheGapIsMeasuredThroughTheMesh)
-{
-  for (const int cells : { 1, 3, 7 })
-  {
-    Channel channel(0.3, cells);
-    limitByGap(channel.mesh, BoundaryStars(channel.mesh), 0.3, channel.set);
-    EXPECT_EQ(channel.middle().levels, 9) << cells; // 0.3 of 0.3 in steps of 0.01, all but rounding
-    EXPECT_EQ(channel.middle().reason, StopReason::Gap);
-  }
-}
-
-TEST(ColumnLimits, AWideChannelDoesNotLimit)
-{
-  Channel channel(1);
-  limitByGap(channel.mesh, BoundaryStars(channel.mesh), 0.3, channel.set);
-  EXPECT_EQ(channel.middle().levels, 20);
-}
-
 TEST(ColumnLimits, NeighboursOfALowColumnStepDown)
 {
   Channel channel(1);

@@ -1,0 +1,73 @@
+#include "Layers/RayWalk.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ransmesh
+{
+double RayWalk::freeDistance(Index v, const Vector3& d, double reach)
+{
+  const Vector3 from = mesh_.point(v);
+  HalfFace exit = firstExit(v, d);
+  for (int steps = 0; steps < 10000 && exit != None; ++steps)
+  {
+    const double s = distanceTo(exit, from, d);
+    if (s >= reach)
+    {
+      return reach;
+    }
+    const HalfFace beyond = mesh_.tet(tetOf(exit)).neighbour[faceOf(exit)];
+    if (isBoundary(beyond))
+    {
+      return s;
+    }
+    exit = exitFrom(beyond, from, d);
+  }
+  return reach;
+}
+
+// Does the ray pass the three edges of the face, seen from outside, on the same side?
+bool RayWalk::passes(const std::array<Index, 3>& face, const Vector3& from, const Vector3& d) const
+{
+  const Vector3 a = mesh_.point(face[0]) - from;
+  const Vector3 b = mesh_.point(face[1]) - from;
+  const Vector3 c = mesh_.point(face[2]) - from;
+  // The corners are turned inward: seen along a ray that leaves, they are clockwise.
+  return dot(cross(b, a), d) >= 0 && dot(cross(c, b), d) >= 0 && dot(cross(a, c), d) >= 0;
+}
+
+HalfFace RayWalk::firstExit(Index v, const Vector3& d)
+{
+  traversal_.ball(v, ball_);
+  for (const Index t : ball_)
+  {
+    const int corner = mesh_.tet(t).cornerOf(v);
+    if (passes(mesh_.tet(t).face(corner), mesh_.point(v), d))
+    {
+      return halfFace(t, corner);
+    }
+  }
+  return None;
+}
+
+HalfFace RayWalk::exitFrom(HalfFace entry, const Vector3& from, const Vector3& d) const
+{
+  for (int f = 0; f < 4; ++f)
+  {
+    if (f != faceOf(entry) && passes(mesh_.tet(tetOf(entry)).face(f), from, d))
+    {
+      return halfFace(tetOf(entry), f);
+    }
+  }
+  return None;
+}
+
+double RayWalk::distanceTo(HalfFace h, const Vector3& from, const Vector3& d) const
+{
+  const auto face = mesh_.tet(tetOf(h)).face(faceOf(h));
+  const Vector3& a = mesh_.point(face[0]);
+  const Vector3 n = cross(mesh_.point(face[1]) - a, mesh_.point(face[2]) - a);
+  const double across = dot(n, d);
+  return across != 0 ? std::max(0.0, dot(n, a - from) / across) : std::numeric_limits<double>::infinity();
+}
+} // namespace ransmesh
