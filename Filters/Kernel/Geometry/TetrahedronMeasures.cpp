@@ -116,7 +116,15 @@ double angleQuality(const Vector3& a, const Vector3& b, const Vector3& c, const 
   {
     return plain;
   }
-  constexpr double radians = 0.017453292519943295;
-  return std::min(plain, 1 + std::cos(largestDihedral(a, b, c, d) * radians));
+  // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
+  // ask for nothing else, and spent half of their time there.
+  const std::array<Vector3, 4> outward = { normalized(cross(c - b, d - b)), normalized(cross(d - a, c - a)),
+    normalized(cross(b - a, d - a)), normalized(cross(c - a, b - a)) };
+  double alike = -1;
+  for (const auto& faces : EdgeCorners)
+  {
+    alike = std::max(alike, dot(outward[faces[0]], outward[faces[1]]));
+  }
+  return std::min(plain, 1 - alike);
 }
 } // namespace ransmesh

@@ -1,6 +1,7 @@
 #include "Mesh/FaceMatching.h"
 
 #include "Mesh/TetMesh.h"
+#include "Support/LargeMemory.h"
 
 #include <algorithm>
 #include <array>
@@ -94,6 +95,7 @@ public:
     }
     std::partial_sum(start_.begin(), start_.end(), start_.begin());
     entries_ = std::make_unique_for_overwrite<Entry[]>(start_.back());
+    preferLargePages(entries_.get(), start_.back() * sizeof(Entry));
     fill(mesh);
   }
   std::size_t count() const { return start_.size() - 1; }
@@ -304,6 +306,7 @@ void matchBySorting(FaceBuckets::Entry* begin, FaceBuckets::Entry* end, FaceMatc
 FaceMatching matchFaces(const MeshData& mesh)
 {
   FaceMatching result;
+  reserveLarge(result.opposite, 4 * mesh.tetrahedra.size());
   result.opposite.assign(4 * mesh.tetrahedra.size(), FaceMatching::Unmatched);
   FaceBuckets buckets(mesh);
   PairTable pairs;

@@ -1,5 +1,7 @@
 #include "Mesh/TetMesh.h"
 
+#include "Support/LargeMemory.h"
+
 #include <algorithm>
 
 namespace ransmesh
@@ -9,7 +11,7 @@ TetMesh::TetMesh(const MeshData& data, const std::vector<HalfFace>& opposite)
   , vertexTet_(data.points.size(), None)
   , boundary_(data.triangles.size())
 {
-  tets_.reserve(data.tetrahedra.size());
+  reserveLarge(tets_, data.tetrahedra.size());
   for (std::size_t i = 0; i < data.tetrahedra.size(); ++i)
   {
     const auto t = static_cast<Index>(i);
@@ -156,7 +158,7 @@ MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber)
       data.points[number[v]] = mesh.point(static_cast<Index>(v));
     }
   }
-  data.tetrahedra.reserve(mesh.liveTets());
+  reserveLarge(data.tetrahedra, mesh.liveTets());
   for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
   {
     const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
