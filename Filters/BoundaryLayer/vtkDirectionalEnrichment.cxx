@@ -5,7 +5,8 @@
 #include "PatchFieldData.h"
 #include "StageContext.h"
 
-#include "Insertion/Enrichment.h"
+#include "Insertion/EnrichedSheets.h"
+#include "Layers/LayerPlanning.h"
 #include "Mesh/Validation.h"
 
 #include "vtkFieldData.h"
@@ -38,6 +39,7 @@ int vtkDirectionalEnrichment::RequestData(
   ransmesh::MeshData mesh;
   ransmesh::PatchTable patches;
   ransmesh::LayerPlan plan;
+  ransmesh::OpenedSheets sheets;
   ransmesh::EnrichedMesh enriched;
   ransmesh::EnrichmentOptions options;
   options.gapFraction = this->GapFraction;
@@ -50,7 +52,17 @@ int vtkDirectionalEnrichment::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::enrich(mesh, patches, plan, options, ransmesh::makeContext(this), enriched);
+    outcome = ransmesh::openSheets(mesh, patches, sheets);
+  }
+  if (outcome.ok())
+  {
+    outcome = ransmesh::enrich(mesh, ransmesh::patchesOfOpened(patches, sheets.patches, plan), plan, options,
+      ransmesh::makeContext(this), enriched);
+  }
+  if (outcome.ok())
+  {
+    ransmesh::writeEnrichedBoundary(enriched, patches, boundary); // shows both sides of a sheet
+    outcome = ransmesh::closeSheets(sheets, enriched);
   }
 #ifndef NDEBUG
   if (const auto faults = ransmesh::findFaults(enriched.mesh); outcome.ok() && !faults.none())
@@ -60,13 +72,13 @@ int vtkDirectionalEnrichment::RequestData(
 #endif
   if (!outcome.ok())
   {
+    boundary->Initialize();
     return this->Refuse(outcome);
   }
   ransmesh::writeEnrichedMesh(enriched, patches, input->GetPointData(), output);
   output->GetFieldData()->PassData(input->GetFieldData());
   ransmesh::writePatches(patches, output->GetFieldData());
   ransmesh::writePlan(plan, output->GetFieldData());
-  ransmesh::writeEnrichedBoundary(enriched, patches, boundary);
   this->NumberOfRequestedPoints = static_cast<vtkIdType>(enriched.report.pointsRequested);
   this->NumberOfInsertedPoints = static_cast<vtkIdType>(enriched.report.pointsInserted);
   return 1;

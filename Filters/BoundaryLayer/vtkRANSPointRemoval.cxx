@@ -4,6 +4,8 @@
 #include "PatchFieldData.h"
 #include "StageContext.h"
 
+#include "Boundary/Sheets.h"
+#include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
 #include "Mesh/Validation.h"
 #include "Removal/PointRemoval.h"
@@ -20,8 +22,28 @@ vtkStandardNewMacro(vtkRANSPointRemoval);
 
 namespace
 {
-// The point data of the points that remain; newNumber gives each old point's new number, or None.
-void keepPointData(vtkPointData* from, const std::vector<ransmesh::Index>& newNumber, vtkPointData* to)
+// The mesh as it comes out, with its sheets closed. newNumber receives the number of each vertex in it, or
+// None.
+ransmesh::Outcome takeMesh(const ransmesh::TetMesh& mesh, const ransmesh::OpenedSheets& sheets,
+  ransmesh::MeshData& data, std::vector<ransmesh::Index>& newNumber)
+{
+  data = ransmesh::toMeshData(mesh, &newNumber);
+  std::vector<ransmesh::Index> closed;
+  if (!sheets.any())
+  {
+    return ransmesh::Outcome::done();
+  }
+  ransmesh::Outcome outcome = ransmesh::closeSheets(data, sheets.patches, closed);
+  for (ransmesh::Index& v : newNumber)
+  {
+    v = v == ransmesh::None ? ransmesh::None : closed[v];
+  }
+  return outcome;
+}
+
+// The point data of the points that remain; newNumber gives each vertex's new number, or None.
+void keepPointData(vtkPointData* from, const ransmesh::OpenedSheets& sheets,
+  const std::vector<ransmesh::Index>& newNumber, vtkPointData* to)
 {
   to->CopyFieldOff(ransmesh::contract::ColumnId); // columns of an earlier enrichment may be gone
   to->CopyAllocate(from);
@@ -29,7 +51,7 @@ void keepPointData(vtkPointData* from, const std::vector<ransmesh::Index>& newNu
   {
     if (newNumber[i] != ransmesh::None)
     {
-      to->CopyData(from, static_cast<vtkIdType>(i), newNumber[i]);
+      to->CopyData(from, sheets.originOf(static_cast<ransmesh::Index>(i)), newNumber[i]);
     }
   }
 }
@@ -44,6 +66,7 @@ int vtkRANSPointRemoval::RequestData(
   ransmesh::MeshData data;
   ransmesh::PatchTable patches;
   ransmesh::LayerPlan plan;
+  ransmesh::OpenedSheets sheets;
   ransmesh::TetMesh mesh;
   ransmesh::RemovalResult result;
   ransmesh::RemovalOptions options;
@@ -57,15 +80,25 @@ int vtkRANSPointRemoval::RequestData(
   }
   if (outcome.ok())
   {
+    outcome = ransmesh::openSheets(data, patches, sheets);
+  }
+  if (outcome.ok())
+  {
     outcome = ransmesh::buildTetMesh(data, mesh);
   }
   if (outcome.ok())
   {
-    result = ransmesh::removePoints(mesh, patches, plan, options, context);
+    result = ransmesh::removePoints(
+      mesh, ransmesh::patchesOfOpened(patches, sheets.patches, plan), plan, options, context);
     outcome = result.outcome;
   }
+  std::vector<ransmesh::Index> newNumber;
+  if (outcome.ok())
+  {
+    outcome = takeMesh(mesh, sheets, data, newNumber);
+  }
 #ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(mesh); outcome.ok() && !faults.none())
+  if (const auto faults = ransmesh::findFaults(data); outcome.ok() && !faults.none())
   {
     outcome = ransmesh::Outcome::internalFault("the mesh after point removal is not valid: " + faults.text());
   }
@@ -74,9 +107,8 @@ int vtkRANSPointRemoval::RequestData(
   {
     return this->Refuse(outcome);
   }
-  std::vector<ransmesh::Index> newNumber;
-  ransmesh::writeMesh(ransmesh::toMeshData(mesh, &newNumber), patches, output);
-  keepPointData(input->GetPointData(), newNumber, output->GetPointData());
+  ransmesh::writeMesh(data, patches, output);
+  keepPointData(input->GetPointData(), sheets, newNumber, output->GetPointData());
   output->GetFieldData()->PassData(input->GetFieldData());
   ransmesh::writePatches(patches, output->GetFieldData());
   ransmesh::writePlan(plan, output->GetFieldData());

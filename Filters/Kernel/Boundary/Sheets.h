@@ -19,6 +19,7 @@ struct OpenedSheets
   std::vector<Index> origin;
 
   bool any() const { return !patches.empty(); }
+  Index originOf(Index v) const { return any() ? origin[v] : v; }
 };
 
 // Cuts a valid mesh open along its sheets, if it has any: each point of a sheet gets a copy for each further

@@ -58,8 +58,9 @@ std::vector<int> wallsByType(const MeshData& mesh, const PatchTable& patches)
   bool typesKnown = false;
   for (std::size_t i = 1; i < patches.size(); ++i)
   {
-    typesKnown = typesKnown || patches[i].type != PatchType::Patch;
-    if (patches[i].type == PatchType::Wall)
+    const PatchType type = patches[i].type;
+    typesKnown = typesKnown || (type != PatchType::Patch && type != PatchType::Wake);
+    if (type == PatchType::Wall || type == PatchType::Wake)
     {
       walls.push_back(static_cast<int>(i));
     }
@@ -268,5 +269,16 @@ std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& 
     changeable[p] = !hasLayers && patches[p].type != PatchType::Interface;
   }
   return changeable;
+}
+
+PatchTable patchesOfOpened(
+  const PatchTable& patches, const std::vector<int>& sheetPatches, const LayerPlan& plan)
+{
+  PatchTable opened = patches;
+  for (const int p : sheetPatches)
+  {
+    opened[p].type = plan[p].hasLayers() ? PatchType::Wake : PatchType::Interface;
+  }
+  return opened;
 }
 } // namespace ransmesh

@@ -45,8 +45,8 @@ std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount);
 Outcome findWalls(
   const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, std::vector<char>& isWall);
 
-// The plan: walls are the patches named; if none is named, all of type wall; if no types are known
-// (all are `patch`), every patch that is not a side of the bounding box.
+// The plan: walls are the patches named; if none is named, all of type wall or wake; if no types are known
+// (all are `patch` or `wake`), every patch that is not a side of the bounding box.
 // BadInput where no wall is left, a pattern takes nothing, or a specification is impossible
 // (also: a first height not below the largest extent of the mesh).
 Outcome planLayers(
@@ -55,4 +55,10 @@ Outcome planLayers(
 // Which patches a removal may change the triangles of: those without layers that are not interfaces.
 // By patch number.
 std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan);
+
+// The patches of a mesh that is cut open along its sheets (Boundary/Sheets.h), as the stages are to see them.
+// Both sides of a sheet must stay alike: with layers it is a wake, whatever its type was, without it is an
+// interface, where nothing changes.
+PatchTable patchesOfOpened(
+  const PatchTable& patches, const std::vector<int>& sheetPatches, const LayerPlan& plan);
 } // namespace ransmesh
