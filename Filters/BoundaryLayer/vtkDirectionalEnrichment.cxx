@@ -52,7 +52,7 @@ int vtkDirectionalEnrichment::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::openSheets(mesh, patches, sheets);
+    outcome = ransmesh::openSheets(mesh, sheets);
   }
   if (outcome.ok())
   {

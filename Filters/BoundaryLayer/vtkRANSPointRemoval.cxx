@@ -80,7 +80,7 @@ int vtkRANSPointRemoval::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::openSheets(data, patches, sheets);
+    outcome = ransmesh::openSheets(data, sheets);
   }
   if (outcome.ok())
   {

@@ -26,8 +26,7 @@ Vector3 centreOf(const MeshData& mesh, Index triangle)
 }
 
 // Divides until everything falls apart. The points that come are told by origin.
-Outcome divide(
-  MeshData& mesh, const PatchTable& patches, std::vector<SheetTriangle>& sheets, OpenedSheets& opened)
+Outcome divide(MeshData& mesh, std::vector<SheetTriangle>& sheets, OpenedSheets& opened)
 {
   for (;;)
   {
@@ -41,12 +40,9 @@ Outcome divide(
     {
       opened.origin.push_back(opened.origin[joint.vertex[0]]);
     }
-    const std::string& name = patches[opened.patches[0]].name;
     if (const SheetJoint* refused = divideJoints(mesh, joints, sides))
     {
-      return Outcome::badInput("the sheet '" +
-        (opened.patches.size() > 1 ? name + "' or another" : name + "'") + " cannot be cut open near " +
-        placeOf(mesh.points[refused->vertex[0]]) +
+      return Outcome::badInput("a sheet cannot be cut open near " + placeOf(mesh.points[refused->vertex[0]]) +
         ": the tetrahedra there are too flat; improve the mesh around the sheet's border");
     }
     sheets = findSheets(mesh);
@@ -234,7 +230,7 @@ void renumber(const std::vector<Index>& number, MeshData& mesh)
 }
 } // namespace
 
-Outcome openSheets(MeshData& mesh, const PatchTable& patches, OpenedSheets& opened)
+Outcome openSheets(MeshData& mesh, OpenedSheets& opened)
 {
   opened = {};
   std::vector<SheetTriangle> sheets = findSheets(mesh);
@@ -250,7 +246,7 @@ Outcome openSheets(MeshData& mesh, const PatchTable& patches, OpenedSheets& open
   opened.patches.assign(numbers.begin(), numbers.end());
   opened.origin.resize(mesh.points.size());
   std::iota(opened.origin.begin(), opened.origin.end(), 0);
-  if (Outcome outcome = divide(mesh, patches, sheets, opened); !outcome.ok())
+  if (Outcome outcome = divide(mesh, sheets, opened); !outcome.ok())
   {
     return outcome;
   }

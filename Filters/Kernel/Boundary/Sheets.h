@@ -2,7 +2,6 @@
 // walls back to back, and puts it together again afterwards.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
 #include "Support/Outcome.h"
 
@@ -27,7 +26,7 @@ struct OpenedSheets
 // second behind all others. Points on the free border of a sheet stay one. Where an edge or a triangle would
 // not fall apart (both ends lie on the border), it is divided before: the sheet keeps its shape and gets one
 // point more. BadInput, with the place, where rounding does not allow that; the mesh is not to be used then.
-Outcome openSheets(MeshData& mesh, const PatchTable& patches, OpenedSheets& opened);
+Outcome openSheets(MeshData& mesh, OpenedSheets& opened);
 
 // The reverse, for a mesh on whose sheets no point moved, came or went: points with equal coordinates on
 // these patches become one, and so do the pairs of triangles; which keeps the way that the first is turned.

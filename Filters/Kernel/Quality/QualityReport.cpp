@@ -1,6 +1,6 @@
 #include "Quality/QualityReport.h"
 
-#include "Quality/WallAssessment.h"
+#include "Quality/SheetAssessment.h"
 
 #include <algorithm>
 
@@ -31,6 +31,16 @@ std::vector<PatchSummary> summarizePatches(const MeshData& mesh, const PatchTabl
     std::remove_if(rows.begin(), rows.end(), [](const PatchSummary& row) { return row.triangles == 0; }),
     rows.end());
   return rows;
+}
+
+void tellSheets(const MeshData& mesh, const FaceMatching& matching, std::vector<PatchSummary>& rows)
+{
+  for (const SheetFace& sheet : matching.sheets)
+  {
+    const int patch = mesh.trianglePatch[sheet.triangle];
+    std::find_if(rows.begin(), rows.end(), [patch](const PatchSummary& row) { return row.number == patch; })
+      ->isSheet = true;
+  }
 }
 
 ShapeSummary summarizeShapes(const CellMeasures& cells)
@@ -97,6 +107,7 @@ void measureMesh(const ReportSubject& subject, const FaceMatching& matching, con
   cells.innerFace = innerFacesOf(subject.mesh, matching);
   report.volume = totalVolume(subject.mesh);
   report.patches = summarizePatches(subject.mesh, subject.patches);
+  tellSheets(subject.mesh, matching, report.patches);
   report.cellVolume = quantilesOf(cells.volume);
   report.longestEdge = quantilesOf(cells.longestEdge);
   report.shortestEdge = quantilesOf(cells.shortestEdge);
@@ -107,7 +118,7 @@ void measureMesh(const ReportSubject& subject, const FaceMatching& matching, con
     return;
   }
   context.report(0.7, "following the layers");
-  WallAssessment assessment = assessWalls(subject, cells.innerFace, report.options, context);
+  WallAssessment assessment = assessBothSides(subject, matching, cells.innerFace, report.options, context);
   report.walls = std::move(assessment.walls);
   if (!report.walls.empty() || subject.layerId)
   {

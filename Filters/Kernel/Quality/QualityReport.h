@@ -29,6 +29,7 @@ struct PatchSummary
   int number = 0;
   std::string name;
   PatchType type = PatchType::Patch;
+  bool isSheet = false; // inside the mesh; then triangles and area are those of one side
   std::size_t triangles = 0;
   double area = 0;
 };
@@ -46,7 +47,8 @@ struct ShapeSummary
   Quantiles quality;
 };
 
-// Layers on one wall patch, or on all. Columns are those of smooth wall points.
+// Layers on one wall patch, or on all. Columns are those of smooth wall points. A sheet counts with both
+// sides: its faces, its area and its points twice.
 struct WallSummary
 {
   int patch = 0; // 0: all walls together

@@ -56,6 +56,7 @@ void write(JsonWriter& json, const PatchSummary& patch)
   json.name("PatchId").value(patch.number);
   json.name("Name").value(patch.name);
   json.name("Type").value(nameOf(patch.type));
+  json.name("IsSheet").value(patch.isSheet);
   json.name("Triangles").value(patch.triangles);
   json.name("Area").value(patch.area);
   json.endObject();

@@ -85,7 +85,8 @@ std::string patchesText(const std::vector<PatchSummary>& patches)
   {
     const PatchSummary& patch = patches[i];
     text += format("  %5d %-28s %-10s %14zu %14.6g\n", patch.number, shortened(patch.name, 28).c_str(),
-      std::string(nameOf(patch.type)).c_str(), patch.triangles, patch.area);
+      (std::string(nameOf(patch.type)) + (patch.isSheet ? " sheet" : "")).c_str(), patch.triangles,
+      patch.area);
   }
   return text + more(patches.size() - std::min(patches.size(), PatchesShown));
 }
@@ -172,6 +173,11 @@ std::string wallsText(const QualityReport& report)
   text += more(report.walls.size() - shown);
   text += format("  (h0 met: share of the area, within a factor of %g; columns: from smooth wall points)\n",
     report.options.columns.tolerance);
+  if (std::any_of(
+        report.patches.begin(), report.patches.end(), [](const PatchSummary& p) { return p.isSheet; }))
+  {
+    text += "  (sheets count with both sides: their area and their points twice)\n";
+  }
   text += stopsText(report.stops);
   const WallSummary& all = report.walls.front();
   text += "\n" + quantileHeading("layers found");

@@ -66,6 +66,10 @@ std::vector<HalfFace> innerFacesOf(const MeshData& mesh, const FaceMatching& mat
       innerFaces[boundaryFaceOf(other)] = static_cast<HalfFace>(face);
     }
   }
+  for (const SheetFace& sheet : matching.sheets)
+  {
+    innerFaces[sheet.triangle] = sheet.side;
+  }
   return innerFaces;
 }
 

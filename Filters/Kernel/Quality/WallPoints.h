@@ -29,7 +29,7 @@ struct ColumnFoot
   double wallEdge = 0; // mean length of the wall's edges at the point
 };
 
-// Of each triangle the face of a tetrahedron that it lies on, or None.
+// Of each triangle the face of a tetrahedron that it lies on, or None. Of those of sheets the one side's.
 std::vector<HalfFace> innerFacesOf(const MeshData& mesh, const FaceMatching& matching);
 
 // The triangles of patches with layers that lie on a tetrahedron. Point numbers must be in range.

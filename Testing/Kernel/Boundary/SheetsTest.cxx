@@ -32,7 +32,7 @@ protected:
     EXPECT_TRUE(findFaults(mesh_).none()) << findFaults(mesh_).text();
     const MeshData before = mesh_;
     OpenedSheets opened;
-    EXPECT_TRUE(openSheets(mesh_, patches_, opened).ok());
+    EXPECT_TRUE(openSheets(mesh_, opened).ok());
     EXPECT_TRUE(opened.any());
     EXPECT_EQ(opened.origin.size(), mesh_.points.size());
     EXPECT_TRUE(findFaults(mesh_).none()) << findFaults(mesh_).text();
@@ -66,7 +66,7 @@ TEST_F(Sheets, AMeshWithoutSheetsIsLeftAsItIs)
 {
   const MeshData before = mesh_;
   OpenedSheets opened;
-  EXPECT_TRUE(openSheets(mesh_, patches_, opened).ok());
+  EXPECT_TRUE(openSheets(mesh_, opened).ok());
   EXPECT_FALSE(opened.any());
   EXPECT_EQ(mesh_.triangles, before.triangles);
   EXPECT_FALSE(mesh_.isOpened);
@@ -165,7 +165,7 @@ TEST_F(Sheets, TheTriangleKeepsTheWayItIsTurned)
   const double before = height(mesh_);
   OpenedSheets opened;
   std::vector<Index> number;
-  ASSERT_TRUE(openSheets(mesh_, patches_, opened).ok());
+  ASSERT_TRUE(openSheets(mesh_, opened).ok());
   EXPECT_NEAR(height(mesh_), 0, 1e-12);
   ASSERT_TRUE(closeSheets(mesh_, opened.patches, number).ok());
   EXPECT_NEAR(height(mesh_), before, 1e-12);
@@ -175,7 +175,7 @@ TEST_F(Sheets, SidesThatNoLongerFitAreAFault)
 {
   grid_mesh::addSheet(mesh_, [](const Vector3& p) { return isAtHalf(p.z); });
   OpenedSheets opened;
-  ASSERT_TRUE(openSheets(mesh_, patches_, opened).ok());
+  ASSERT_TRUE(openSheets(mesh_, opened).ok());
   mesh_.points.back().x += 1e-3;
   std::vector<Index> number;
   const Outcome outcome = closeSheets(mesh_, opened.patches, number);

@@ -36,7 +36,7 @@ protected:
   {
     MeshData mesh = mesh_;
     OpenedSheets opened;
-    EXPECT_TRUE(openSheets(mesh, patches_, opened).ok());
+    EXPECT_TRUE(openSheets(mesh, opened).ok());
     const PatchTable seen = patchesOfOpened(patches_, opened.patches, plan);
     EnrichedMesh enriched;
     const Outcome outcome = enrich(mesh, seen, plan, {}, {}, enriched);
@@ -142,7 +142,7 @@ TEST_F(EnrichedSheets, RemovalKeepsBothSidesAlike)
     const LayerPlan plan = hasLayers ? enrichment_checks::planFor(8, { 7 }, 0.02, 5)
                                      : enrichment_checks::planFor(8, { 5 }, 0.03, 5);
     OpenedSheets opened;
-    ASSERT_TRUE(openSheets(mesh, patches_, opened).ok());
+    ASSERT_TRUE(openSheets(mesh, opened).ok());
     TetMesh built = invariants::build(mesh);
     const RemovalResult result =
       removePoints(built, patchesOfOpened(patches_, opened.patches, plan), plan, {}, {});
