@@ -1,6 +1,7 @@
 #include "Insertion/SideStar.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace ransmesh
@@ -59,7 +60,38 @@ bool SideStar::allowsStar(const Cavity& cavity, Index top, const std::vector<Ind
     rim_.push_back(edge.low);
     rim_.push_back(edge.high);
   }
-  return keepsVertices(cavity.starredFaces, top, lost);
+  return hangTogether(cavity.starredFaces, top) && keepsVertices(cavity.starredFaces, top, lost);
+}
+
+// From the faces at the top across shared edges to all others: a patch may lie on both sides of a narrow
+// fluid, and only one of them is the top's.
+bool SideStar::hangTogether(const std::vector<Index>& faces, Index top) const
+{
+  const auto has = [](const std::vector<Index>& list, Index v)
+  { return std::find(list.begin(), list.end(), v) != list.end(); };
+  std::vector<Index> reached;
+  std::copy_if(faces.begin(), faces.end(), std::back_inserter(reached),
+    [&](Index face)
+    {
+      const auto corners = mesh_.boundaryVertices(face);
+      return std::find(corners.begin(), corners.end(), top) != corners.end();
+    });
+  for (bool grown = true; grown;)
+  {
+    grown = false;
+    for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
+    {
+      const EdgeUse& one = edges_[i];
+      const EdgeUse& other = edges_[i + 1];
+      const bool shared = one.low == other.low && one.high == other.high;
+      if (shared && has(reached, one.face) != has(reached, other.face))
+      {
+        reached.push_back(has(reached, one.face) ? other.face : one.face);
+        grown = true;
+      }
+    }
+  }
+  return reached.size() == faces.size();
 }
 
 void SideStar::collectEdges(const std::vector<Index>& faces)

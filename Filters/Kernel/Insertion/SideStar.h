@@ -25,9 +25,10 @@ public:
   // With the top at its new place: do all these faces keep to the surface?
   bool allowsMove() const;
 
-  // May the cavity's faces be replaced by triangles from their rim to the top? No patch edge and no
-  // ridge may vanish but at the top itself, no vertex may be left inside the volume, and no triangle may
-  // turn away from the surface. lost: the vertices that go with the star.
+  // May the cavity's faces be replaced by triangles from their rim to the top? They must hang together
+  // with those at the top, no patch edge and no ridge may vanish but at the top itself, no vertex may be
+  // left inside the volume, and no triangle may turn away from the surface. lost: the vertices that go
+  // with the star.
   bool allowsStar(const Cavity& cavity, Index top, const std::vector<Index>& lost);
 
 private:
@@ -48,6 +49,7 @@ private:
   void collectEdges(const std::vector<Index>& faces);
   bool rimAllows(const EdgeUse& rim, Index top) const;
   bool mayVanish(const EdgeUse& one, const EdgeUse& other, Index top) const;
+  bool hangTogether(const std::vector<Index>& faces, Index top) const;
   bool keepsVertices(const std::vector<Index>& faces, Index top, const std::vector<Index>& lost) const;
 
   const TetMesh& mesh_;

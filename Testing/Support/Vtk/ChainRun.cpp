@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -151,6 +152,13 @@ void countCopies(const ransmesh::MeshData& mesh, vtkDataArray* column, int layer
   result.copiesOfWallFaces = wanted > 0 ? static_cast<double>(found) / static_cast<double>(wanted) : 0;
 }
 
+double volumeOf(vtkUnstructuredGrid* grid)
+{
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  return ransmesh::readMesh(grid, mesh, patches).ok() ? ransmesh::totalVolume(mesh) : 0;
+}
+
 void judge(vtkPolyData* boundary, int layers, ChainResult& result)
 {
   ransmesh::MeshData mesh;
@@ -195,16 +203,16 @@ ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
   enrichment->SetInputConnection(removal->GetOutputPort());
   mesher->ReleaseDataFlagOn();
   removal->ReleaseDataFlagOn();
-  vtkAlgorithm* stages[] = { mesher, removal, enrichment };
-  for (int i = 0; i < 3; ++i)
-  {
-    result.seconds[i] = runStage(stages[i]);
-  }
+  result.seconds[0] = runStage(mesher);
+  const double volume = volumeOf(mesher->GetOutput());
+  result.seconds[1] = runStage(removal);
+  result.seconds[2] = runStage(enrichment);
   result.marked = removal->GetNumberOfMarkedPoints();
   result.removed = removal->GetNumberOfRemovedPoints();
   result.requested = enrichment->GetNumberOfRequestedPoints();
   result.inserted = enrichment->GetNumberOfInsertedPoints();
   result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));
+  result.volumeChange = std::fabs(volumeOf(result.mesh) - volume) / volume;
   judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
   return result;
 }

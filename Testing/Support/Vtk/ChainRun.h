@@ -43,8 +43,9 @@ struct ChainResult
   double largestAngle = 0;        // in the layers, degrees
   double largestAngleOutside = 0; // in the other tetrahedra
   double copiesOfWallFaces =
-    0;                // share of the copies of wall triangles, at all levels asked for, that are faces
-  std::string faults; // what is not valid; empty: nothing
+    0;                     // share of the copies of wall triangles, at all levels asked for, that are faces
+  double volumeChange = 0; // of removal and enrichment together, as a share; nothing where sides are plane
+  std::string faults;      // what is not valid; empty: nothing
 };
 
 // Throws std::runtime_error with the message of the stage that fails.
