@@ -13,6 +13,7 @@ namespace
 // Rays lean by a thousandth, so that they do not run along the mesh's own edges.
 constexpr double Lean = 1e-3;
 constexpr Vector3 OddDirection{ 0.53, -0.31, 0.79 };
+constexpr double OddShare = 0.618;
 // Faces whose normals differ by less than this cosine (15 degrees) need no rays of their own.
 constexpr double SameNormal = 0.966;
 // A face that the column hardly rises above does not limit it.
@@ -51,7 +52,8 @@ class GapFinder
 {
 public:
   GapFinder(const TetMesh& mesh, const BoundaryStars& stars, double gapFraction, ColumnSet& set)
-    : stars_(stars)
+    : mesh_(mesh)
+    , stars_(stars)
     , gapFraction_(gapFraction)
     , set_(set)
     , nearest_(nearestPlanes(mesh, set))
@@ -67,15 +69,23 @@ public:
   void limit(Index column)
   {
     Column& c = set_.columns[column];
-    if (c.levels == 0)
+    // The sides' own triangles tell the gap along them (followSides); a straight column can see more.
+    if (c.levels == 0 || c.path != None)
     {
       return;
     }
-    look(column);
+    collectSteps(column);
+    const double longest = norm(*std::max_element(steps_.begin(), steps_.end(),
+      [](const Vector3& a, const Vector3& b) { return dot(a, a) < dot(b, b); }));
+    if (nearest_[column] > set_.thickness(c) * longest / gapFraction_)
+    {
+      return;
+    }
+    collectRays(c);
     for (const Ray& ray : rays_)
     {
       const double reach = set_.thickness(c) * ray.rise / gapFraction_;
-      const double free = nearest_[column] > reach ? reach : walk_.freeDistance(c.root, ray.direction, reach);
+      const double free = walk_.freeDistance(c.root, ray.direction, reach);
       if (free < reach)
       {
         c.limit(levelBelow(set_, c, gapFraction_ * free / ray.rise), StopReason::Gap);
@@ -84,17 +94,21 @@ public:
   }
 
 private:
-  // Finds the column's rays. In planes that the column stays in they lean away from these.
-  void look(Index column)
+  // Of the column, or of all those of its fan.
+  void collectSteps(Index column)
   {
-    const Column& c = set_.columns[column];
-    rays_.clear();
-    normals_.clear();
-    // The sides' own triangles tell the gap along them (followSides); a straight column can see more.
-    if (c.path != None)
+    steps_.assign(1, set_.columns[column].direction);
+    if (fanOf_[column] != None)
     {
-      return;
+      const std::vector<Vector3>& others = set_.fans[fanOf_[column]].directions;
+      steps_.insert(steps_.end(), others.begin(), others.end());
     }
+  }
+
+  // One along each step, one over each face that turns. In planes that the column stays in they lean away
+  // from these.
+  void collectRays(const Column& c)
+  {
     faces_.clear();
     Vector3 inward;
     for (const Index face : stars_.facesAt(c.root))
@@ -103,13 +117,15 @@ private:
       inward += c.staysIn(faces_.back().patch) ? faces_.back().normal : Vector3{};
     }
     const Vector3 lean = c.sides[0] == 0 ? OddDirection : normalized(inward);
-    addRayAlong(c.direction, lean);
-    if (fanOf_[column] != None)
+    rays_.clear();
+    for (const Vector3& step : steps_)
     {
-      for (const Vector3& direction : set_.fans[fanOf_[column]].directions)
-      {
-        addRayAlong(direction, lean);
-      }
+      rays_.push_back({ normalized(normalized(step) + Lean * lean), norm(step) });
+    }
+    normals_.clear();
+    if (steps_.size() == 1)
+    {
+      normals_.push_back(normalized(c.direction));
     }
     for (const FaceAtVertex& face : faces_)
     {
@@ -117,15 +133,13 @@ private:
     }
   }
 
-  void addRayAlong(const Vector3& direction, const Vector3& lean)
-  {
-    normals_.push_back(normalized(direction));
-    rays_.push_back({ normalized(normals_.back() + Lean * lean), norm(direction) });
-  }
-
   void addRayOf(const FaceAtVertex& face, const Column& c, const Vector3& lean)
   {
-    const double rise = dot(face.normal, c.direction);
+    double rise = 0;
+    for (const Vector3& step : steps_)
+    {
+      rise = std::max(rise, dot(face.normal, step));
+    }
     const bool isKnown = std::any_of(normals_.begin(), normals_.end(),
       [&face](const Vector3& n) { return dot(n, face.normal) > SameNormal; });
     if (isKnown || c.staysIn(face.patch) || rise < LeastRise)
@@ -133,20 +147,24 @@ private:
       return;
     }
     normals_.push_back(face.normal);
-    // Over the face, and not past the edge that it ends at.
-    const Vector3 over = c.sides[0] == 0 ? face.middle : face.middle + lean;
+    // Over the face, not past the edge that it ends at, and not along its bisector, where meshes like to
+    // have edges.
+    const Vector3 over = normalized(mesh_.point(face.vertex[1]) - c.base) +
+      OddShare * normalized(mesh_.point(face.vertex[2]) - c.base) + (c.sides[0] == 0 ? Vector3{} : lean);
     rays_.push_back({ normalized(face.normal + Lean * over), rise });
   }
 
+  const TetMesh& mesh_;
   const BoundaryStars& stars_;
   double gapFraction_;
   ColumnSet& set_;
   std::vector<double> nearest_;
   std::vector<Index> fanOf_; // by column
   RayWalk walk_;
+  std::vector<Vector3> steps_;
   std::vector<FaceAtVertex> faces_;
   std::vector<Ray> rays_;
-  std::vector<Vector3> normals_;
+  std::vector<Vector3> normals_; // of faces that need no more rays
 };
 } // namespace
 
