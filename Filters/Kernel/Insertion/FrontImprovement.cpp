@@ -1,6 +1,10 @@
 #include "Insertion/FrontImprovement.h"
 
+#include "Mesh/Traversal.h"
+
 #include <algorithm>
+#include <array>
+#include <limits>
 
 namespace ransmesh
 {
@@ -16,13 +20,18 @@ constexpr double Kept = 1.02;
 std::vector<Index> poorTetsAtTops(
   const TetMesh& mesh, const ColumnSet& set, const LocalImprovement& improvement)
 {
+  std::vector<char> isTop(mesh.vertexCount(), 0); // small, so that it stays in the cache
+  for (const Column& c : set.columns)
+  {
+    isTop[c.vertex] = c.levels > 0;
+  }
   std::vector<Index> poor;
   for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
   {
     const auto t = static_cast<Index>(i);
     const Tetrahedron& tet = mesh.tet(t);
-    const auto isTop = [&set](Index v) { return set.standingAt(v) != None; };
-    if (tet.isAlive() && std::any_of(tet.vertex.begin(), tet.vertex.end(), isTop) &&
+    if (tet.isAlive() &&
+      std::any_of(tet.vertex.begin(), tet.vertex.end(), [&isTop](Index v) { return isTop[v] != 0; }) &&
       qualityOf(mesh, t) < Suspect && improvement.shapeOf(t) < Poor)
     {
       poor.push_back(t);
@@ -30,37 +39,119 @@ std::vector<Index> poorTetsAtTops(
   }
   return poor;
 }
+
+// When something changed at which vertex: what failed is tried again only where there is a reason. Without
+// that, tetrahedra that cannot become better, as many are at fans, cost two thirds of this stage.
+class Changes
+{
+public:
+  explicit Changes(const TetMesh& mesh)
+    : mesh_(mesh)
+    , traversal_(mesh)
+    , last_(mesh.vertexCount(), 0)
+  {
+  }
+
+  std::size_t count() const { return count_; }
+  bool anyAt(Index tet, std::size_t since) const
+  {
+    const auto& corners = mesh_.tet(tet).vertex;
+    return std::any_of(corners.begin(), corners.end(), [this, since](Index v) { return last_[v] > since; });
+  }
+  void noteMade(const std::vector<Index>& tets)
+  {
+    ++count_;
+    note(tets);
+  }
+  void noteMoved(Index v)
+  {
+    ++count_;
+    traversal_.ball(v, ball_);
+    note(ball_);
+  }
+
+private:
+  void note(const std::vector<Index>& tets)
+  {
+    for (const Index t : tets)
+    {
+      for (const Index v : mesh_.tet(t).vertex)
+      {
+        last_[v] = count_;
+      }
+    }
+  }
+
+  const TetMesh& mesh_;
+  Traversal traversal_;
+  std::vector<Index> ball_;
+  std::vector<std::size_t> last_; // by vertex
+  std::size_t count_ = 0;
+};
+
+struct Candidate
+{
+  Index tet;
+  std::size_t triedAt; // the count of changes when it was tried in vain
+};
+
+// Swaps the tetrahedron away, or moves its corners; gives whether it is gone.
+bool improve(Index t, TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
+{
+  if (improvement.swap(t))
+  {
+    changes.noteMade(improvement.made());
+    return true;
+  }
+  for (const Index v : std::array(mesh.tet(t).vertex))
+  {
+    if (improvement.move(v, Kept))
+    {
+      changes.noteMoved(v);
+    }
+  }
+  return false;
+}
 } // namespace
 
 std::size_t improveBeyondFront(
   TetMesh& mesh, const ColumnSet& set, const BoundaryRules& rules, const Context& context)
 {
+  constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
   LocalImprovement improvement(mesh, rules, angleQuality);
-  std::vector<Index> work = poorTetsAtTops(mesh, set, improvement);
-  std::size_t changes = 0;
+  Changes changes(mesh);
+  std::vector<Candidate> work;
+  for (const Index t : poorTetsAtTops(mesh, set, improvement))
+  {
+    work.push_back({ t, never });
+  }
   for (int pass = 0; pass < Passes && !work.empty() && !context.stopped(); ++pass)
   {
-    std::vector<Index> next;
-    for (const Index t : work)
+    std::vector<Candidate> next;
+    for (const auto [t, triedAt] : work)
     {
       if (!mesh.tet(t).isAlive() || !(improvement.shapeOf(t) < Poor))
       {
         continue;
       }
-      if (improvement.swap(t))
+      if (triedAt != never && !changes.anyAt(t, triedAt))
       {
-        ++changes;
-        next.insert(next.end(), improvement.made().begin(), improvement.made().end());
+        next.push_back({ t, triedAt });
         continue;
       }
-      const auto corners = mesh.tet(t).vertex;
-      const auto moved = std::count_if(
-        corners.begin(), corners.end(), [&improvement](Index v) { return improvement.move(v, Kept); });
-      changes += static_cast<std::size_t>(moved);
-      next.push_back(t);
+      const std::size_t before = changes.count();
+      if (!improve(t, mesh, improvement, changes))
+      {
+        next.push_back({ t, before });
+        continue;
+      }
+      for (const Index made : improvement.made())
+      {
+        next.push_back({ made, never });
+      }
     }
     work.swap(next);
   }
-  return changes;
+  return changes.count();
 }
 } // namespace ransmesh

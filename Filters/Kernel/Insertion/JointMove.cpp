@@ -14,7 +14,8 @@ std::size_t JointMove::run(const std::vector<double>& target)
   const std::vector<Index> sideFaces = sideFacesAtMovedTops();
   // What is taken back changes its neighbours' tetrahedra: again, until all are well. In the worst case
   // every top is back where it was.
-  for (bool again = true; again;)
+  round_ = 1;
+  for (bool again = true; again; ++round_)
   {
     const bool folded = takeBackAtFoldedFaces();
     const bool spoiled = takeBackAtSpoiledTets(tets);
@@ -27,7 +28,8 @@ std::size_t JointMove::run(const std::vector<double>& target)
 void JointMove::place(const std::vector<double>& target)
 {
   const std::size_t count = set_.columns.size();
-  moved_.assign(count, 0);
+  moved_.assign(mesh_.vertexCount(), 0);
+  lastChange_.assign(mesh_.vertexCount(), Never);
   oldShare_.resize(count);
   oldPosition_.resize(count);
   for (std::size_t i = 0; i < count; ++i)
@@ -36,13 +38,26 @@ void JointMove::place(const std::vector<double>& target)
     const Index vertex = set_.columns[i].vertex;
     oldShare_[i] = front_.share(c);
     oldPosition_[i] = mesh_.point(vertex);
-    moved_[i] = target[i] > oldShare_[i];
-    if (moved_[i])
+    if (target[i] > oldShare_[i])
     {
+      moved_[vertex] = 1;
+      lastChange_[vertex] = 0;
       front_.setShare(c, target[i]);
       mesh_.movePoint(vertex, front_.position(c, target[i]));
     }
   }
+}
+
+bool JointMove::isConcerned(std::span<const Index> vertices) const
+{
+  bool moved = false;
+  bool changed = false;
+  for (const Index v : vertices)
+  {
+    moved = moved || hasMoved(v);
+    changed = changed || lastChange_[v] >= round_ - 1;
+  }
+  return moved && changed;
 }
 
 std::vector<Index> JointMove::tetsAtMovedTops() const
@@ -52,8 +67,7 @@ std::vector<Index> JointMove::tetsAtMovedTops() const
   {
     const Tetrahedron& tet = mesh_.tet(static_cast<Index>(i));
     if (tet.isAlive() &&
-      std::any_of(
-        tet.vertex.begin(), tet.vertex.end(), [this](Index v) { return hasMoved(set_.ofVertex[v]); }))
+      std::any_of(tet.vertex.begin(), tet.vertex.end(), [this](Index v) { return hasMoved(v); }))
     {
       tets.push_back(static_cast<Index>(i));
     }
@@ -66,11 +80,9 @@ bool JointMove::takeBackAtFoldedFaces()
   bool any = false;
   for (const BaseFace& face : front_.faces())
   {
-    const bool concerned =
-      std::any_of(face.column.begin(), face.column.end(), [this](Index c) { return hasMoved(c); });
-    if (concerned && !front_.slabIsPositive(face))
+    if (isConcerned(face.vertex) && !front_.slabIsPositive(face))
     {
-      std::for_each(face.column.begin(), face.column.end(), [this](Index c) { takeBack(c); });
+      std::for_each(face.vertex.begin(), face.vertex.end(), [this](Index v) { takeBack(v); });
       any = true;
     }
   }
@@ -88,7 +100,7 @@ std::vector<Index> JointMove::sideFacesAtMovedTops() const
       continue;
     }
     const auto v = mesh_.boundaryVertices(b);
-    if (std::any_of(v.begin(), v.end(), [this](Index w) { return hasMoved(set_.ofVertex[w]); }))
+    if (std::any_of(v.begin(), v.end(), [this](Index w) { return hasMoved(w); }))
     {
       faces.push_back(b);
     }
@@ -102,11 +114,9 @@ bool JointMove::takeBackAtTurnedFaces(const std::vector<Index>& sideFaces)
   for (const Index b : sideFaces)
   {
     const auto v = mesh_.boundaryVertices(b);
-    const bool concerned =
-      std::any_of(v.begin(), v.end(), [this](Index w) { return hasMoved(set_.ofVertex[w]); });
-    if (concerned && isTurned(b))
+    if (isConcerned(v) && isTurned(b))
     {
-      std::for_each(v.begin(), v.end(), [this](Index w) { takeBack(set_.ofVertex[w]); });
+      std::for_each(v.begin(), v.end(), [this](Index w) { takeBack(w); });
       any = true;
     }
   }
@@ -126,11 +136,9 @@ bool JointMove::takeBackAtSpoiledTets(const std::vector<Index>& tets)
   for (const Index t : tets)
   {
     const auto& vertices = mesh_.tet(t).vertex;
-    const bool concerned =
-      std::any_of(vertices.begin(), vertices.end(), [this](Index v) { return hasMoved(set_.ofVertex[v]); });
-    if (concerned && isSpoiled(vertices))
+    if (isConcerned(vertices) && isSpoiled(vertices))
     {
-      std::for_each(vertices.begin(), vertices.end(), [this](Index v) { takeBack(set_.ofVertex[v]); });
+      std::for_each(vertices.begin(), vertices.end(), [this](Index v) { takeBack(v); });
       any = true;
     }
   }
@@ -150,17 +158,18 @@ bool JointMove::isSpoiled(const std::array<Index, 4>& v) const
 
 Vector3 JointMove::before(Index vertex) const
 {
-  const Index c = set_.ofVertex[vertex];
-  return hasMoved(c) ? oldPosition_[c] : mesh_.point(vertex);
+  return hasMoved(vertex) ? oldPosition_[set_.ofVertex[vertex]] : mesh_.point(vertex);
 }
 
-void JointMove::takeBack(Index column)
+void JointMove::takeBack(Index vertex)
 {
-  if (hasMoved(column))
+  if (hasMoved(vertex))
   {
-    moved_[column] = 0;
+    const Index column = set_.ofVertex[vertex];
+    moved_[vertex] = 0;
+    lastChange_[vertex] = round_;
     front_.setShare(column, oldShare_[column]);
-    mesh_.movePoint(set_.columns[column].vertex, oldPosition_[column]);
+    mesh_.movePoint(vertex, oldPosition_[column]);
   }
 }
 } // namespace ransmesh
