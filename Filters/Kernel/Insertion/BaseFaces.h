@@ -29,9 +29,9 @@ struct BaseFace
 class BaseCorners
 {
 public:
-  explicit BaseCorners(const BaseFace& face)
-    : at_(face.root)
-    , distinct_(face.hasBase())
+  explicit BaseCorners(const std::array<Index, 3>& root)
+    : at_(root)
+    , distinct_(root[0] != root[1] && root[1] != root[2] && root[2] != root[0])
   {
   }
   bool isFlat() const { return !distinct_ && (at_[0] == at_[1] || at_[1] == at_[2] || at_[2] == at_[0]); }

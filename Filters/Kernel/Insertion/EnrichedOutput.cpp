@@ -2,6 +2,7 @@
 
 #include "Insertion/FanOpening.h"
 #include "Insertion/LayerStacks.h"
+#include "Insertion/TensorStacks.h"
 
 #include <algorithm>
 #include <numeric>
@@ -13,7 +14,7 @@ namespace
 // Wall vertices are their columns' tops in the mesh beyond: the wall itself keeps the old numbers, the
 // tops get those of their columns' last levels.
 void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, MeshData& data)
+  const std::vector<Index>& baseNumber, const std::vector<char>& isReplaced, MeshData& data)
 {
   std::vector<Index> topOf(data.points.size());
   std::iota(topOf.begin(), topOf.end(), 0);
@@ -42,7 +43,7 @@ void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const Colu
   data.trianglePatch.clear();
   for (const Index b : order)
   {
-    if (mesh.boundaryFace(b).patch == FrontOnly)
+    if (mesh.boundaryFace(b).patch == FrontOnly || isReplaced[b])
     {
       continue;
     }
@@ -92,17 +93,77 @@ void sortTrianglesByPatch(MeshData& data)
   data.trianglePatch.swap(patch);
 }
 
-void appendStacks(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, EnrichedMesh& result)
+// By boundary face: does a tensor grid bring other triangles in its place?
+std::vector<char> replacedTriangles(
+  const TetMesh& mesh, const std::vector<BaseFace>& faces, const TensorStacks& tensor)
+{
+  std::vector<char> isReplaced(mesh.boundarySlots(), 0);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    isReplaced[faces[i].face] = tensor.replaced[i];
+  }
+  return isReplaced;
+}
+
+void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMesh& result)
+{
+  result.report.pointsRequested += tensor.planned;
+  result.report.pointsInserted += tensor.points.size();
+  MeshData& data = result.mesh;
+  for (std::size_t i = 0; i < tensor.points.size(); ++i)
+  {
+    const GridPoint& origin = tensor.origin[i];
+    const Column& column = set.columns[origin.column];
+    if (origin.layers != None)
+    {
+      const double height = set.heightsOf(column).height(1);
+      const auto number = static_cast<Index>(data.points.size());
+      result.wallPoints.push_back({ number, origin.patch, origin.layers, origin.layers, height,
+        origin.layers > 0 ? height : 0, StopReason::Complete });
+    }
+    data.points.push_back(tensor.points[i]);
+    result.column.push_back(origin.column);
+    result.origin.push_back(column.root);
+  }
+}
+
+void appendStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, const TensorStacks& tensor, EnrichedMesh& result)
 {
   MeshData& data = result.mesh;
   const std::size_t beyond = data.tetrahedra.size();
+  std::size_t count = beyond;
+  for (const BaseFace& face : faces)
+  {
+    count += countTets(stackOf(set, face));
+  }
+  for (const TensorStack& t : tensor.stacks)
+  {
+    count += countTets(t.stack);
+  }
+  data.tetrahedra.reserve(count);
+  result.layer.reserve(count);
+  result.prism.reserve(count);
   result.layer.assign(beyond, 0);
   result.prism.assign(beyond, None);
-  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
-  findSides(mesh, set, faces);
   StackSink sink{ data.tetrahedra, result.layer, result.prism, data.triangles, data.trianglePatch };
-  writeStacks(set, faces, numbers, baseNumber, sink);
+  StackWriter writer(sink);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const BaseFace& face = faces[i];
+    if (!tensor.replaced[i])
+    {
+      writer.write(stackOf(set, face), face.sideOpposite,
+        [&](int corner, int level)
+        { return level == 0 ? baseNumber[face.root[corner]] : numbers.at(face.column[corner], level); });
+    }
+  }
+  for (const TensorStack& t : tensor.stacks)
+  {
+    data.triangles.push_back({ t.at(0, 0), t.at(2, 0), t.at(1, 0) });
+    data.trianglePatch.push_back(t.patch);
+    writer.write(t.stack, t.sideOpposite, [&t](int corner, int level) { return t.at(corner, level); });
+  }
   result.report.layerTets = data.tetrahedra.size() - beyond;
 }
 
@@ -147,7 +208,8 @@ void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMe
 }
 } // namespace
 
-void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& result)
+void writeEnriched(
+  const TetMesh& mesh, const ColumnSet& set, double maximumSurfaceAngle, EnrichedMesh& result)
 {
   std::vector<Index> baseNumber;
   result.mesh = toMeshData(mesh, &baseNumber);
@@ -163,9 +225,14 @@ void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& resu
   }
   const ColumnPoints numbers(set, baseNumber, oldPoints);
   addColumnPoints(mesh, set, baseNumber, result);
-  separateWallFromFront(mesh, set, numbers, baseNumber, result.mesh);
-  appendStacks(mesh, set, numbers, baseNumber, result);
-  sortTrianglesByPatch(result.mesh);
+  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  findSides(mesh, set, faces);
+  const TensorStacks tensor =
+    makeTensorStacks(mesh, set, faces, numbers, baseNumber, result.mesh.points, maximumSurfaceAngle);
   reportColumns(set, numbers, result);
+  addGridPoints(set, tensor, result);
+  separateWallFromFront(mesh, set, numbers, baseNumber, replacedTriangles(mesh, faces, tensor), result.mesh);
+  appendStacks(set, faces, numbers, baseNumber, tensor, result);
+  sortTrianglesByPatch(result.mesh);
 }
 } // namespace ransmesh

@@ -8,5 +8,6 @@ namespace ransmesh
 {
 // mesh: what lies beyond the raised front, where no stack folds. Fills everything in result but the
 // report's counts of the stages before.
-void writeEnriched(const TetMesh& mesh, const ColumnSet& set, EnrichedMesh& result);
+void writeEnriched(
+  const TetMesh& mesh, const ColumnSet& set, double maximumSurfaceAngle, EnrichedMesh& result);
 } // namespace ransmesh

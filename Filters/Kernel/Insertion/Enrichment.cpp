@@ -109,7 +109,7 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     if (mendFolds(mesh, set, folded))
     {
       enriched.report.improvements = improveBeyondFront(mesh, set, rules, context);
-      writeEnriched(mesh, set, enriched);
+      writeEnriched(mesh, set, options.maximumSurfaceAngle, enriched);
       result = std::move(enriched);
       return Outcome::done();
     }

@@ -39,7 +39,7 @@ struct WallPoint
 struct EnrichmentReport
 {
   std::size_t columns = 0;
-  std::size_t pointsRequested = 0; // after the limits by size, gap and slope
+  std::size_t pointsRequested = 0; // after the limits by size, gap and slope; with tensor-product corners
   std::size_t pointsInserted = 0;
   std::size_t layerTets = 0;
   std::size_t improvements = 0; // swaps and movements beyond the front
@@ -56,7 +56,9 @@ struct EnrichedMesh
   std::vector<Index> prism;  // of each tetrahedron: those of one prism share a number; None
   std::vector<Index> column; // of each point: its column; None
   std::vector<Index> origin; // of each point: the point of the input it is or, for a new one, stands over
-  std::vector<WallPoint> wallPoints; // in order of column
+  // One for each column's root, in order of number; then one for each new point of the walls, in
+  // tensor-product corners, where what is asked ends with the wall's share of the corner.
+  std::vector<WallPoint> wallPoints;
   EnrichmentReport report;
 };
 

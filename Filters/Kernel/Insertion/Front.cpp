@@ -65,7 +65,7 @@ bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) 
   {
     current[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
   }
-  BaseCorners corners(face);
+  BaseCorners corners(face.root);
   for (const int corner : face.rise)
   {
     const Index c = face.column[corner];

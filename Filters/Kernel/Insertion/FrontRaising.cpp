@@ -23,7 +23,9 @@ constexpr double ShortestOfFirstHeight = 0.5;
 // A step that is all but complete is completed, so that coordinates are exactly the level's.
 constexpr double Complete = 0.99999;
 
-constexpr MoveEffort Efforts[3] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 } };
+// The last one is for fans much thinner than the surface's size, around which all tetrahedra are needles.
+constexpr MoveEffort Efforts[4] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 }, { 1e-7, 60 } };
+constexpr int SweepsPerEffort = 4;
 
 class Raiser
 {
@@ -93,7 +95,8 @@ private:
   // Gives the number of tops that are still behind.
   std::size_t moveOneByOne(int sweep)
   {
-    const int effort = sweep <= sweeps_ ? 0 : sweep <= sweeps_ + 4 ? 1 : 2;
+    const int extra = std::max(0, sweep - sweeps_);
+    const int effort = (extra + SweepsPerEffort - 1) / SweepsPerEffort;
     std::size_t behind = 0;
     for (std::size_t i = 0; i < set_.columns.size(); ++i)
     {

@@ -12,6 +12,7 @@
 #include "Layers/Column.h"
 #include "Mesh/MeshData.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace ransmesh
@@ -38,24 +39,28 @@ private:
   std::size_t count_ = 0;
 };
 
+// How the corners of one stack rise.
+struct Stack
+{
+  std::array<Index, 3> root{}; // what each stands on; in a fan corners share one
+  std::array<int, 3> levels{};
+  std::array<int, 3> rise{ 0, 1, 2 }; // the order within each level
+};
+
+Stack stackOf(const ColumnSet& set, const BaseFace& face);
+
 // Visits the rising corners of a stack in order: visit(level, corner, isFlat), level from 0 below each rise.
 // A flat rise, at the bottom of a fan, makes no tetrahedron.
 template <class Visit>
-void forEachRise(const ColumnSet& set, const BaseFace& face, Visit visit)
+void forEachRise(const Stack& stack, Visit visit)
 {
-  int highest = 0;
-  std::array<int, 3> levels{};
-  for (int j = 0; j < 3; ++j)
-  {
-    levels[j] = face.column[j] == None ? 0 : set.columns[face.column[j]].levels;
-    highest = levels[j] > highest ? levels[j] : highest;
-  }
-  BaseCorners corners(face);
+  const int highest = std::max({ stack.levels[0], stack.levels[1], stack.levels[2] });
+  BaseCorners corners(stack.root);
   for (int level = 0; level < highest; ++level)
   {
-    for (const int corner : face.rise)
+    for (const int corner : stack.rise)
     {
-      if (level < levels[corner])
+      if (level < stack.levels[corner])
       {
         visit(level, corner, corners.isFlat());
         corners.rise(corner);
@@ -74,10 +79,49 @@ struct StackSink
   std::vector<int>& sidePatch;
 };
 
-// The number of tetrahedra in all stacks.
-std::size_t countStackTets(const ColumnSet& set, const std::vector<BaseFace>& faces);
+class StackWriter
+{
+public:
+  explicit StackWriter(StackSink& sink)
+    : sink_(sink)
+  {
+  }
 
-// Writes all stacks; whether they fold is asked before (StackFolds.h).
-void writeStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, StackSink& sink);
+  // Writes a stack whose corners' points at each level are pointAt(corner, level); sideOpposite names the side
+  // patch beyond the edge opposite to each corner, or 0.
+  template <class PointAt>
+  void write(const Stack& stack, const std::array<int, 3>& sideOpposite, PointAt pointAt);
+
+private:
+  void writeSides(
+    const std::array<int, 3>& sideOpposite, const std::array<Index, 3>& current, int corner, Index risen);
+
+  StackSink& sink_;
+  Index prism_ = -1;
+};
+
+template <class PointAt>
+void StackWriter::write(const Stack& stack, const std::array<int, 3>& sideOpposite, PointAt pointAt)
+{
+  std::array<Index, 3> current{ pointAt(0, 0), pointAt(1, 0), pointAt(2, 0) };
+  int level = -1;
+  forEachRise(stack,
+    [&](int below, int corner, bool isFlat)
+    {
+      prism_ += below != level;
+      level = below;
+      const Index risen = pointAt(corner, below + 1);
+      if (!isFlat)
+      {
+        sink_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
+        sink_.layer.push_back(below + 1);
+        sink_.prism.push_back(prism_);
+        writeSides(sideOpposite, current, corner, risen);
+      }
+      current[corner] = risen;
+    });
+}
+
+// The number of tetrahedra in a stack.
+std::size_t countTets(const Stack& stack);
 } // namespace ransmesh

@@ -29,7 +29,7 @@ bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 {
   std::array<Vector3, 3> current = basePoints(mesh, set, face);
   bool positive = true;
-  forEachRise(set, face,
+  forEachRise(stackOf(set, face),
     [&](int below, int corner, bool isFlat)
     {
       const Vector3 risen = levelPoint(mesh, set, set.columns[face.column[corner]], below + 1);
@@ -43,7 +43,7 @@ bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 bool slabFolds(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 {
   std::array<Vector3, 3> current = basePoints(mesh, set, face);
-  BaseCorners corners(face);
+  BaseCorners corners(face.root);
   for (const int corner : face.rise)
   {
     if (face.column[corner] == None)

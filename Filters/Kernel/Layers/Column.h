@@ -4,6 +4,7 @@
 #include "Layers/Fan.h"
 #include "Layers/LayerSpecification.h"
 #include "Layers/SidePath.h"
+#include "Layers/TensorCorner.h"
 #include "Mesh/MeshData.h"
 
 #include <array>
@@ -67,6 +68,7 @@ struct ColumnSet
   std::vector<LayerHeights> heights; // by patch
   std::vector<SidePath> paths;       // of columns in curved sides
   std::vector<Fan> fans;             // in order of their main columns
+  std::vector<TensorCorner> corners; // in order of their columns
 
   const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
   double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }

@@ -210,20 +210,42 @@ private:
     const Vector3 d = mostVisible(normals, lay, lay(wallNormal));
     const bool seesAll = visibility(normals, d) > LeastVisibility;
     column.direction = scaledStep(s.walls, d);
-    // The columns of a fan are straight: none stands where a side is curved.
-    const bool mayFan = carrying.size() == s.walls.size() && arePlane(s.others, sides);
-    const bool isFan = mayFan && aimFan(s, lay, seesAll, column);
-    return seesAll || isFan ? StopReason::Complete : StopReason::Corner;
+    // The columns of fans and tensor corners are straight: none stands where a side is curved.
+    const bool isPlain = carrying.size() == s.walls.size() && arePlane(s.others, sides);
+    FaceRing ring;
+    if (isPlain && makeRing(s.walls, ring) &&
+      (aimFan(s, ring, lay, seesAll, column) || aimTensor(s, ring, normalsOf(sides), column)))
+    {
+      return StopReason::Complete;
+    }
+    return seesAll ? StopReason::Complete : StopReason::Corner;
   }
 
-  bool aimFan(const Surroundings& s, const SideProjection& lay, bool singleSeesAll, Column& column)
+  // Walls that meet at a tensor corner have the same layers.
+  bool aimTensor(
+    const Surroundings& s, FaceRing& ring, const std::vector<Vector3>& sideNormals, Column& column)
   {
-    FaceRing ring;
+    const bool alike = std::all_of(s.walls.begin(), s.walls.end(),
+      [&](const FaceAtVertex& f) { return plan_[f.patch] == plan_[s.patch]; });
+    TensorCorner corner;
+    if (!alike || !findTensorCorner(column.base, mesh_, ring, sideNormals, corner))
+    {
+      return false;
+    }
+    corner.column = static_cast<Index>(set_.columns.size());
+    column.direction = corner.diagonal();
+    set_.corners.push_back(corner);
+    return true;
+  }
+
+  bool aimFan(
+    const Surroundings& s, FaceRing& ring, const SideProjection& lay, bool singleSeesAll, Column& column)
+  {
     Fan fan;
     fan.single = singleSeesAll ? column.direction : Vector3{};
     const FanAngles angles{ plan_[s.patch].normalAngle / DegreesOfRadian,
       plan_[s.patch].fanAngle / DegreesOfRadian };
-    if (!makeRing(s.walls, ring) || !planFan(column.base, mesh_, ring, lay, angles, fan, column.direction))
+    if (!planFan(column.base, mesh_, ring, lay, angles, fan, column.direction))
     {
       return false;
     }

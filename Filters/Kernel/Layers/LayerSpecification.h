@@ -31,6 +31,7 @@ struct LayerSpecification
   double fanAngle = defaults::fanAngle;       // degrees, (0, 180]: largest angle between a fan's columns
 
   bool hasLayers() const { return numberOfLayers > 0; }
+  bool operator==(const LayerSpecification&) const = default;
 };
 
 // Bounds that keep every computation finite; beyond them a specification is an error.

@@ -57,7 +57,8 @@ void checkCounts(const EnrichedMesh& enriched)
     EXPECT_LE(point.layersAchieved, point.layersAsked);
     EXPECT_EQ(point.layersAchieved == point.layersAsked, point.reason == StopReason::Complete);
   }
-  EXPECT_EQ(achieved, enriched.report.pointsInserted);
+  // Fans and tensor-product corners have more points than the columns of their roots.
+  EXPECT_LE(achieved, enriched.report.pointsInserted);
   EXPECT_LE(enriched.report.pointsInserted, enriched.report.pointsRequested);
 }
 } // namespace

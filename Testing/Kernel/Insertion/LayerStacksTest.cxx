@@ -58,19 +58,45 @@ TEST(LayerStacks, BaseFacesAreTheWallAndKnowTheirSides)
   }
 }
 
+namespace
+{
+// level, corner, is it flat
+using Rises = std::vector<std::tuple<int, int, bool>>;
+
+Rises risesOf(const Stack& stack)
+{
+  Rises rises;
+  forEachRise(stack, [&](int level, int corner, bool isFlat) { rises.emplace_back(level, corner, isFlat); });
+  return rises;
+}
+} // namespace
+
 TEST(LayerStacks, CornersRiseLevelByLevelInOneOrder)
 {
   Plate plate;
   plate.set.columns[1].levels = 1;
-  plate.set.columns[2].levels = 0;
   BaseFace face;
-  face.column = { 2, 0, 1 };
-  face.column[0] = None; // a column without levels does not stand
+  face.column = { None, 0, 1 }; // a column without levels does not stand
+  face.root = { 5, 6, 7 };
   face.rise = { 0, 1, 2 };
-  std::vector<std::pair<int, int>> rises;
-  forEachRise(plate.set, face, [&](int level, int corner, bool) { rises.emplace_back(level, corner); });
-  const std::vector<std::pair<int, int>> wanted = { { 0, 1 }, { 0, 2 }, { 1, 1 }, { 2, 1 } };
-  EXPECT_EQ(rises, wanted);
+  const Rises wanted = { { 0, 1, false }, { 0, 2, false }, { 1, 1, false }, { 2, 1, false } };
+  EXPECT_EQ(risesOf(stackOf(plate.set, face)), wanted);
+}
+
+TEST(LayerStacks, TetrahedraWithOnePointTwiceAreFlat)
+{
+  // Two columns on one root: the first to rise makes no tetrahedron.
+  const Stack edge{ { 3, 3, 8 }, { 2, 2, 2 }, { 0, 1, 2 } };
+  const Rises onEdge = { { 0, 0, true }, { 0, 1, false }, { 0, 2, false }, { 1, 0, false }, { 1, 1, false },
+    { 1, 2, false } };
+  EXPECT_EQ(risesOf(edge), onEdge);
+  EXPECT_EQ(countTets(edge), 5u);
+  // The single one first: it stays flat until one of the two has risen.
+  const Stack single{ { 3, 3, 8 }, { 1, 1, 1 }, { 2, 0, 1 } };
+  EXPECT_EQ(countTets(single), 1u);
+  // Three columns on one root.
+  const Stack point{ { 3, 3, 3 }, { 2, 2, 2 }, { 0, 1, 2 } };
+  EXPECT_EQ(countTets(point), 4u);
 }
 
 TEST(LayerStacks, CountsAndNumbersAgree)
@@ -93,10 +119,18 @@ TEST(LayerStacks, CountsAndNumbersAgree)
   std::vector<int> layer;
   std::vector<Index> prism;
   StackSink sink{ out.tetrahedra, layer, prism, out.triangles, out.trianglePatch };
-  writeStacks(plate.set, faces, numbers, same, sink);
-  EXPECT_EQ(out.tetrahedra.size(), countStackTets(plate.set, faces));
-  EXPECT_EQ(layer.size(), out.tetrahedra.size());
-  EXPECT_EQ(prism.size(), out.tetrahedra.size());
+  StackWriter writer(sink);
+  std::size_t count = 0;
+  for (const BaseFace& face : faces)
+  {
+    const Stack stack = stackOf(plate.set, face);
+    count += countTets(stack);
+    writer.write(stack, face.sideOpposite,
+      [&](int corner, int level) { return numbers.at(face.column[corner], level); });
+  }
+  EXPECT_EQ(out.tetrahedra.size(), count);
+  EXPECT_EQ(layer.size(), count);
+  EXPECT_EQ(prism.size(), count);
 }
 
 TEST(StackFolds, CleanStacksDoNotFold)

@@ -185,6 +185,85 @@ int addSheet(MeshData& mesh, const std::function<bool(const Vector3& middle)>& c
   return patch;
 }
 
+namespace
+{
+// Drops the points that nothing uses.
+void dropUnused(MeshData& mesh)
+{
+  std::vector<Index> number(mesh.points.size(), ransmesh::None);
+  std::vector<Vector3> points;
+  const auto renumber = [&](auto& cells)
+  {
+    for (auto& cell : cells)
+    {
+      for (Index& v : cell)
+      {
+        if (number[v] == ransmesh::None)
+        {
+          number[v] = static_cast<Index>(points.size());
+          points.push_back(mesh.points[v]);
+        }
+        v = number[v];
+      }
+    }
+  };
+  renumber(mesh.tetrahedra);
+  renumber(mesh.triangles);
+  mesh.points.swap(points);
+}
+} // namespace
+
+int carve(MeshData& mesh, const std::function<bool(const Vector3& middle)>& choice)
+{
+  const int patch = *std::max_element(mesh.trianglePatch.begin(), mesh.trianglePatch.end()) + 1;
+  MeshData kept;
+  kept.points = mesh.points;
+  std::set<std::array<Index, 3>> gone; // faces of what was taken out
+  std::set<std::array<Index, 3>> left;
+  const auto keyOf = [](std::array<Index, 3> face)
+  {
+    std::sort(face.begin(), face.end());
+    return face;
+  };
+  for (const auto& t : mesh.tetrahedra)
+  {
+    const Vector3 middle =
+      0.25 * (mesh.points[t[0]] + mesh.points[t[1]] + mesh.points[t[2]] + mesh.points[t[3]]);
+    const bool isGone = choice(middle);
+    for (const auto& corner : ransmesh::FaceCorners)
+    {
+      (isGone ? gone : left).insert(keyOf({ t[corner[0]], t[corner[1]], t[corner[2]] }));
+    }
+    if (!isGone)
+    {
+      kept.tetrahedra.push_back(t);
+    }
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    if (left.count(keyOf(mesh.triangles[i])))
+    {
+      kept.triangles.push_back(mesh.triangles[i]);
+      kept.trianglePatch.push_back(mesh.trianglePatch[i]);
+    }
+  }
+  for (const auto& t : kept.tetrahedra)
+  {
+    for (const auto& corner : ransmesh::FaceCorners)
+    {
+      const std::array<Index, 3> inward = { t[corner[0]], t[corner[1]], t[corner[2]] };
+      if (gone.count(keyOf(inward)))
+      {
+        kept.triangles.push_back({ inward[0], inward[2], inward[1] });
+        kept.trianglePatch.push_back(patch);
+      }
+    }
+  }
+  dropUnused(kept);
+  mesh = std::move(kept);
+  return patch;
+}
+
 Vector3 turned(const Vector3& p)
 {
   const auto turn = [](double& a, double& b, double angle)

@@ -48,5 +48,9 @@ ransmesh::PatchTable patches(ransmesh::PatchType type, int count = 6);
 // takes. Gives the number.
 int addSheet(MeshData& mesh, const std::function<bool(const Vector3& middle)>& choice);
 
+// Takes out the tetrahedra whose middles the choice takes; the faces that this uncovers become a patch of
+// the next free number, which is given back. What is left must still be a domain.
+int carve(MeshData& mesh, const std::function<bool(const Vector3& middle)>& choice);
+
 Vector3 turned(const Vector3& p); // to no axis
 } // namespace grid_mesh

@@ -1,0 +1,560 @@
+#include "Insertion/TensorStacks.h"
+
+#include "Geometry/Angles.h"
+#include "Geometry/Predicates.h"
+#include "Insertion/FanOpening.h"
+#include "Insertion/TensorGrid.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace ransmesh
+{
+namespace
+{
+Vector3 normalOf(const std::array<Vector3, 3>& p)
+{
+  return normalized(cross(p[1] - p[0], p[2] - p[0]));
+}
+
+// An edge of the front with the faces on its two sides.
+struct FrontEdge
+{
+  Index low;
+  Index high;
+  std::array<Index, 2> face{ None, None };
+};
+
+// What a corner is found to be in the front.
+struct CornerState
+{
+  bool active = true;
+  int ridges = 0; // ridge edges that meet here
+};
+
+// Which corners have their grids: decided from the front's topology alone.
+class CornerChoice
+{
+public:
+  CornerChoice(const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces)
+    : mesh_(mesh)
+    , set_(set)
+    , faces_(faces)
+    , ofColumn_(set.columns.size(), None)
+    , states_(set.corners.size())
+  {
+    for (std::size_t i = 0; i < set.corners.size(); ++i)
+    {
+      const Column& c = set.columns[set.corners[i].column];
+      ofColumn_[set.corners[i].column] = static_cast<Index>(i);
+      // A stuck top is not where the grid would have it.
+      states_[i].active = c.levels > 0 && mesh.point(c.vertex) == set.pointAt(c, c.levels);
+    }
+    findEdges();
+  }
+
+  bool any() const
+  {
+    return std::any_of(states_.begin(), states_.end(), [](const CornerState& s) { return s.active; });
+  }
+  void drop(Index corner) { states_[corner].active = false; }
+  // The points of the grids beside the corners' own columns.
+  std::size_t countPoints() const
+  {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < states_.size(); ++i)
+    {
+      const auto size = static_cast<std::size_t>(set_.columns[set_.corners[i].column].levels) + 1;
+      const std::size_t layers = set_.corners[i].walls == 3 ? size : 1;
+      count += states_[i].active ? size * size * layers - size : 0;
+    }
+    return count;
+  }
+
+  // Drops corners until those that remain agree with their neighbours.
+  void settle()
+  {
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      countRidges(changed);
+      for (std::size_t i = 0; i < states_.size(); ++i)
+      {
+        const int wanted = ridgesWanted(static_cast<Index>(i));
+        if (states_[i].active && states_[i].ridges != wanted)
+        {
+          states_[i].active = false;
+          changed = true;
+        }
+      }
+    }
+  }
+
+  // The corner that the face's column j has its grid at, or None.
+  Index at(const BaseFace& face, int j) const
+  {
+    const Index c = face.column[j] == None ? None : ofColumn_[face.column[j]];
+    return c != None && states_[c].active ? c : None;
+  }
+  int wallAt(Index corner, const BaseFace& face) const
+  {
+    return set_.corners[corner].wallOf(normalOf(basePoints(face)));
+  }
+  std::array<Vector3, 3> basePoints(const BaseFace& face) const
+  {
+    std::array<Vector3, 3> p;
+    for (int j = 0; j < 3; ++j)
+    {
+      p[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
+    }
+    return p;
+  }
+  // Is the edge opposite to corner j of a face a ridge at one of its ends?
+  bool isRidge(Index face, int j) const
+  {
+    const Index e = edgeOf_[3 * static_cast<std::size_t>(face) + static_cast<std::size_t>(j)];
+    return e != None && (isRidgeAt(edges_[e], edges_[e].low) || isRidgeAt(edges_[e], edges_[e].high));
+  }
+
+private:
+  void findEdges()
+  {
+    edgeOf_.assign(3 * faces_.size(), None);
+    std::map<std::pair<Index, Index>, Index> known;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      const BaseFace& face = faces_[i];
+      if (at(face, 0) == None && at(face, 1) == None && at(face, 2) == None)
+      {
+        continue;
+      }
+      for (int j = 0; j < 3; ++j)
+      {
+        const auto [low, high] = std::minmax(face.vertex[(j + 1) % 3], face.vertex[(j + 2) % 3]);
+        const auto [found, isNew] = known.try_emplace({ low, high }, static_cast<Index>(edges_.size()));
+        if (isNew)
+        {
+          edges_.push_back({ low, high });
+        }
+        FrontEdge& edge = edges_[found->second];
+        edge.face[edge.face[0] == None ? 0 : 1] = static_cast<Index>(i);
+        edgeOf_[3 * i + static_cast<std::size_t>(j)] = found->second;
+      }
+    }
+  }
+
+  static int cornerOf(const BaseFace& face, Index vertex)
+  {
+    return face.vertex[0] == vertex ? 0 : face.vertex[1] == vertex ? 1 : 2;
+  }
+  // Do the edge's faces belong to two walls of the corner at this end?
+  bool isRidgeAt(const FrontEdge& edge, Index end) const
+  {
+    if (edge.face[1] == None)
+    {
+      return false;
+    }
+    const BaseFace& a = faces_[edge.face[0]];
+    const BaseFace& b = faces_[edge.face[1]];
+    const Index corner = at(a, cornerOf(a, end));
+    return corner != None && wallAt(corner, a) != wallAt(corner, b);
+  }
+
+  void countRidges(bool& changed)
+  {
+    for (CornerState& state : states_)
+    {
+      state.ridges = 0;
+    }
+    for (const FrontEdge& edge : edges_)
+    {
+      const BaseFace& face = faces_[edge.face[0]];
+      const std::array<Index, 2> corners{ at(face, cornerOf(face, edge.low)),
+        at(face, cornerOf(face, edge.high)) };
+      const std::array<bool, 2> isRidge{ isRidgeAt(edge, edge.low), isRidgeAt(edge, edge.high) };
+      // Fans, and ends that see the edge differently.
+      const bool odd =
+        !face.hasBase() || (corners[0] != None && corners[1] != None && isRidge[0] != isRidge[1]);
+      for (int end = 0; end < 2; ++end)
+      {
+        if (corners[end] != None)
+        {
+          states_[corners[end]].ridges += isRidge[end] ? 1 : 0;
+          changed = changed || odd;
+          states_[corners[end]].active = !odd;
+        }
+      }
+    }
+  }
+
+  // A ridge goes on, or ends at a side; three meet where three walls do.
+  int ridgesWanted(Index corner) const
+  {
+    const Column& c = set_.columns[set_.corners[corner].column];
+    return set_.corners[corner].walls == 3 ? 3 : c.sides[0] != 0 ? 1 : 2;
+  }
+
+  const TetMesh& mesh_;
+  const ColumnSet& set_;
+  const std::vector<BaseFace>& faces_;
+  std::vector<Index> ofColumn_;
+  std::vector<CornerState> states_;
+  std::vector<FrontEdge> edges_;
+  std::vector<Index> edgeOf_; // 3 * face + corner opposite
+};
+
+// One end of a strip along a ridge: the points on the wall, from the ridge outward.
+struct StripEnd
+{
+  std::vector<Index> chains; // one a base point; a single one where there is no grid
+  Index root = None;
+  bool hasGrid = false;
+};
+
+class StackMaker
+{
+public:
+  StackMaker(const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces,
+    const ColumnPoints& numbers, const std::vector<Index>& baseNumber, const CornerChoice& choice,
+    const std::vector<Vector3>& points, TensorStacks& out)
+    : mesh_(mesh)
+    , set_(set)
+    , faces_(faces)
+    , numbers_(numbers)
+    , baseNumber_(baseNumber)
+    , choice_(choice)
+    , points_(points)
+    , out_(out)
+    , grids_(set.corners.size())
+    , squaresDone_(set.corners.size())
+  {
+  }
+
+  // The corners of which some stack can not stand, each once.
+  std::vector<Index> run(double maximumSurfaceAngle)
+  {
+    out_.replaced.assign(faces_.size(), 0);
+    const double leastCosine = cosineOfDegrees(maximumSurfaceAngle);
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+    {
+      const BaseFace& face = faces_[i];
+      const std::array<Index, 3> corners{ choice_.at(face, 0), choice_.at(face, 1), choice_.at(face, 2) };
+      if (corners[0] == None && corners[1] == None && corners[2] == None)
+      {
+        continue;
+      }
+      out_.replaced[i] = 1;
+      const std::size_t first = out_.stacks.size();
+      writeFace(face, corners);
+      for (int j = 0; j < 3; ++j)
+      {
+        if (choice_.isRidge(static_cast<Index>(i), j))
+        {
+          writeStrip(face, corners, j);
+        }
+        if (corners[j] != None && set_.corners[corners[j]].walls == 3)
+        {
+          writeSquare(face, corners[j], choice_.wallAt(corners[j], face));
+        }
+      }
+      if (!stand(first, normalOf(choice_.basePoints(face)), leastCosine))
+      {
+        std::copy_if(
+          corners.begin(), corners.end(), std::back_inserter(failed_), [](Index c) { return c != None; });
+      }
+    }
+    std::sort(failed_.begin(), failed_.end());
+    failed_.erase(std::unique(failed_.begin(), failed_.end()), failed_.end());
+    return failed_;
+  }
+
+private:
+  struct Grid
+  {
+    TensorGrid points;
+    std::map<std::size_t, Index> chains; // by slot of the base point
+  };
+
+  Grid& gridOf(Index corner)
+  {
+    if (!grids_[corner])
+    {
+      grids_[corner].emplace(
+        Grid{ TensorGrid(set_, set_.corners[corner], numbers_, points_.size(), out_.points), {} });
+      out_.origin.resize(out_.points.size(), { set_.corners[corner].column, None, 0 });
+    }
+    return *grids_[corner];
+  }
+
+  Index addChain(std::vector<Index> points, bool ofGrid, Index root)
+  {
+    out_.chains.push_back(std::move(points));
+    orderOfChain_.emplace_back(ofGrid, root);
+    return static_cast<Index>(out_.chains.size() - 1);
+  }
+
+  // The chain on the base point of the corner's grid, which lies on the wall.
+  Index gridChain(Index corner, const GridPlace& base, int wall, int patch)
+  {
+    Grid& grid = gridOf(corner);
+    const auto [found, isNew] = grid.chains.try_emplace(grid.points.slot(base), None);
+    if (isNew)
+    {
+      std::vector<Index> chain = grid.points.chainAbove(base, wall);
+      const auto isGridPoint = static_cast<std::size_t>(chain[0]) >= points_.size();
+      if (isGridPoint)
+      {
+        GridPoint& origin = out_.origin[static_cast<std::size_t>(chain[0]) - points_.size()];
+        origin.layers = static_cast<int>(chain.size()) - 1;
+        origin.patch = patch;
+      }
+      found->second = addChain(std::move(chain), true, set_.columns[set_.corners[corner].column].root);
+    }
+    return found->second;
+  }
+
+  // The chain of a column as it is, or of a bare vertex.
+  Index plainChain(const BaseFace& face, int j)
+  {
+    const auto [found, isNew] = plain_.try_emplace({ face.root[j], face.column[j] }, None);
+    if (isNew)
+    {
+      std::vector<Index> chain{ baseNumber_[face.root[j]] };
+      const int levels = face.column[j] == None ? 0 : set_.columns[face.column[j]].levels;
+      for (int level = 1; level <= levels; ++level)
+      {
+        chain.push_back(numbers_.at(face.column[j], level));
+      }
+      found->second = addChain(std::move(chain), false, face.root[j]);
+    }
+    return found->second;
+  }
+
+  // A place of the grid on the wall: so far from each of the wall's two (or one) ridges.
+  static GridPlace placeOn(int wall, int first, int second)
+  {
+    GridPlace place{};
+    place[(wall + 1) % 3] = first;
+    place[(wall + 2) % 3] = second;
+    return place;
+  }
+  GridPlace outermost(Index corner, int wall)
+  {
+    const int levels = gridOf(corner).points.levels();
+    GridPlace place = placeOn(wall, levels, levels);
+    place[2] = set_.corners[corner].walls == 2 ? 0 : place[2];
+    return place;
+  }
+  Index outerChain(const BaseFace& face, int j, Index corner)
+  {
+    if (corner == None)
+    {
+      return plainChain(face, j);
+    }
+    const int wall = choice_.wallAt(corner, face);
+    return gridChain(corner, outermost(corner, wall), wall, face.patch);
+  }
+
+  void addStack(const std::array<Index, 3>& chains, const std::array<int, 3>& levels,
+    const std::array<int, 3>& sideOpposite, int patch)
+  {
+    TensorStack t;
+    t.patch = patch;
+    t.sideOpposite = sideOpposite;
+    for (int j = 0; j < 3; ++j)
+    {
+      const std::vector<Index>& points = out_.chains[chains[j]];
+      t.chain[j] = &points;
+      t.stack.root[j] = points[0]; // no fans here: each stands on a point of its own
+      t.stack.levels[j] = std::min(levels[j], static_cast<int>(points.size()) - 1);
+    }
+    // Columns rise before grid points: at a strip's end the column lies in the grid's halving plane, and a
+    // tetrahedron of it and the points below the plane's would be flat.
+    const auto key = [&](int j) { return std::pair(orderOfChain_[chains[j]], chains[j]); };
+    std::sort(t.stack.rise.begin(), t.stack.rise.end(), [&key](int j, int k) { return key(j) < key(k); });
+    out_.stacks.push_back(t);
+  }
+
+  void writeFace(const BaseFace& face, const std::array<Index, 3>& corners)
+  {
+    std::array<Index, 3> chains;
+    for (int j = 0; j < 3; ++j)
+    {
+      chains[j] = outerChain(face, j, corners[j]);
+    }
+    constexpr int all = MaximumNumberOfLayers;
+    addStack(chains, { all, all, all }, face.sideOpposite, face.patch);
+  }
+
+  StripEnd endOf(const BaseFace& face, int j, Index corner, int across)
+  {
+    StripEnd end;
+    end.root = face.root[j];
+    end.hasGrid = corner != None;
+    if (!end.hasGrid)
+    {
+      end.chains = { plainChain(face, j) };
+      return end;
+    }
+    const int wall = choice_.wallAt(corner, face);
+    GridPlace place = outermost(corner, wall);
+    for (place[across] = 0; place[across] <= gridOf(corner).points.levels(); ++place[across])
+    {
+      end.chains.push_back(gridChain(corner, place, wall, face.patch));
+    }
+    return end;
+  }
+
+  // The wall of the corner on the other side of the ridge opposite to corner j of the face.
+  int wallAcross(const BaseFace& face, int j, Index corner, int end) const
+  {
+    const TensorCorner& c = set_.corners[corner];
+    const int wall = choice_.wallAt(corner, face);
+    if (c.walls == 2)
+    {
+      return 1 - wall;
+    }
+    // The ridge between two of three walls rises from the third.
+    const int other = 3 - j - end;
+    const auto p = choice_.basePoints(face);
+    const Vector3 along = normalized(p[other] - p[end]);
+    const int first = (wall + 1) % 3;
+    const int second = (wall + 2) % 3;
+    const bool firstRises = dot(along, normalized(c.rise[first])) > dot(along, normalized(c.rise[second]));
+    return firstRises ? second : first;
+  }
+
+  // The triangles between the ridge, the edge opposite to corner j of the face, and the base points farthest
+  // from it.
+  void writeStrip(const BaseFace& face, const std::array<Index, 3>& corners, int j)
+  {
+    const int p = (j + 1) % 3;
+    const int q = (j + 2) % 3;
+    const auto end = [&](int k)
+    { return endOf(face, k, corners[k], corners[k] == None ? 0 : wallAcross(face, j, corners[k], k)); };
+    const std::array<StripEnd, 2> ends{ end(p), end(q) };
+    const std::array<int, 2> side{ sideAt(corners[p]), sideAt(corners[q]) };
+    const std::size_t first = ends[0].root < ends[1].root ? 0 : 1;
+    const std::size_t steps = std::max(ends[0].chains.size(), ends[1].chains.size());
+    std::array<std::size_t, 2> at{ 0, 0 };
+    for (std::size_t step = 1; step < steps; ++step)
+    {
+      for (const std::size_t e : { first, 1 - first })
+      {
+        if (step >= ends[e].chains.size())
+        {
+          continue;
+        }
+        const auto levelAt = [&](std::size_t i)
+        { return ends[i].hasGrid ? MaximumNumberOfLayers : static_cast<int>(step); };
+        // The edge from the point left to the next one lies in the side, where the ridge ends at one.
+        std::array<int, 3> sides{};
+        sides[1 - e] = side[e];
+        addStack({ ends[0].chains[at[0]], ends[1].chains[at[1]], ends[e].chains[step] },
+          { levelAt(0), levelAt(1), levelAt(e) }, sides, face.patch);
+        at[e] = step;
+      }
+    }
+  }
+  int sideAt(Index corner) const
+  {
+    return corner == None ? 0 : set_.columns[set_.corners[corner].column].sides[0];
+  }
+
+  // The square of base points on one of three walls.
+  void writeSquare(const BaseFace& face, Index corner, int wall)
+  {
+    std::array<char, 3>& done = squaresDone_[corner];
+    if (done[wall])
+    {
+      return;
+    }
+    done[wall] = 1;
+    const TensorCorner& c = set_.corners[corner];
+    const bool turnsLeft = dot(cross(c.rise[(wall + 1) % 3], c.rise[(wall + 2) % 3]), c.normal[wall]) > 0;
+    const auto chain = [&](int a, int b)
+    { return gridChain(corner, turnsLeft ? placeOn(wall, a, b) : placeOn(wall, b, a), wall, face.patch); };
+    constexpr int all = MaximumNumberOfLayers;
+    const int levels = gridOf(corner).points.levels();
+    for (int a = 0; a < levels; ++a)
+    {
+      for (int b = 0; b < levels; ++b)
+      {
+        addStack({ chain(a, b), chain(a + 1, b), chain(a + 1, b + 1) }, { all, all, all }, {}, face.patch);
+        addStack({ chain(a, b), chain(a + 1, b + 1), chain(a, b + 1) }, { all, all, all }, {}, face.patch);
+      }
+    }
+  }
+
+  const Vector3& pointOf(Index number) const
+  {
+    const auto n = static_cast<std::size_t>(number);
+    return n < points_.size() ? points_[n] : out_.points[n - points_.size()];
+  }
+
+  // Are the stacks from the first on positive, and their triangles on the wall where it was?
+  bool stand(std::size_t first, const Vector3& normal, double leastCosine) const
+  {
+    return std::all_of(out_.stacks.begin() + static_cast<std::ptrdiff_t>(first), out_.stacks.end(),
+      [&](const TensorStack& t)
+      {
+        std::array<Vector3, 3> current{ pointOf(t.at(0, 0)), pointOf(t.at(1, 0)), pointOf(t.at(2, 0)) };
+        bool stands = dot(normalOf(current), normal) > leastCosine;
+        forEachRise(t.stack,
+          [&](int below, int corner, bool)
+          {
+            const Vector3& risen = pointOf(t.at(corner, below + 1));
+            stands = stands && isPositive(current[0], current[1], current[2], risen);
+            current[corner] = risen;
+          });
+        return stands;
+      });
+  }
+
+  const TetMesh& mesh_;
+  const ColumnSet& set_;
+  const std::vector<BaseFace>& faces_;
+  const ColumnPoints& numbers_;
+  const std::vector<Index>& baseNumber_;
+  const CornerChoice& choice_;
+  const std::vector<Vector3>& points_;
+  TensorStacks& out_;
+  std::vector<std::optional<Grid>> grids_;
+  std::vector<std::array<char, 3>> squaresDone_;
+  std::map<std::pair<Index, Index>, Index> plain_;
+  std::vector<std::pair<bool, Index>> orderOfChain_; // in which chains rise: of a grid, root
+  std::vector<Index> failed_;
+};
+} // namespace
+
+TensorStacks makeTensorStacks(const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces,
+  const ColumnPoints& numbers, const std::vector<Index>& baseNumber, const std::vector<Vector3>& points,
+  double maximumSurfaceAngle)
+{
+  TensorStacks none;
+  none.replaced.assign(faces.size(), 0);
+  if (set.corners.empty())
+  {
+    return none;
+  }
+  CornerChoice choice(mesh, set, faces);
+  choice.settle();
+  none.planned = choice.countPoints();
+  while (choice.any())
+  {
+    TensorStacks made;
+    made.planned = none.planned;
+    const std::vector<Index> failed =
+      StackMaker(mesh, set, faces, numbers, baseNumber, choice, points, made).run(maximumSurfaceAngle);
+    if (failed.empty())
+    {
+      return made;
+    }
+    std::for_each(failed.begin(), failed.end(), [&choice](Index c) { choice.drop(c); });
+    choice.settle();
+  }
+  return none;
+}
+} // namespace ransmesh

@@ -1,0 +1,37 @@
+// Corners where viscous walls meet at concave ridges: between them the layers of both make a
+// tensor-product grid (Loehner's paper, figures 2 and 3).
+//
+// Two walls at a point of a ridge, or three where three ridges meet. A point of the grid stands so many
+// levels above each wall; the column to the corner of the grid, so many above all, is the only one that
+// takes part in the raising of the front.
+#pragma once
+
+#include "Layers/FaceRing.h"
+#include "Mesh/MeshData.h"
+
+#include <array>
+#include <vector>
+
+namespace ransmesh
+{
+struct TensorCorner
+{
+  Index column = None;
+  int walls = 0;                   // 2 or 3
+  std::array<Vector3, 3> normal{}; // of each wall at the point, unit, into the fluid
+  std::array<Vector3, 3> rise{};   // the step that rises by one above that wall and stays in the others
+
+  // The step that rises by one above all walls.
+  Vector3 diagonal() const { return withoutThird(rise[0] + rise[1]); }
+  // Of the corner's walls, the one that a face with this normal belongs to.
+  int wallOf(const Vector3& faceNormal) const;
+
+private:
+  Vector3 withoutThird(const Vector3& sum) const { return walls == 3 ? sum + rise[2] : sum; }
+};
+
+// Do the faces around the point make such a corner? sideNormals are those of the adjoining patches that the
+// column stays in. The ring may be rotated.
+bool findTensorCorner(const Vector3& point, const TetMesh& mesh, FaceRing& ring,
+  const std::vector<Vector3>& sideNormals, TensorCorner& corner);
+} // namespace ransmesh
