@@ -129,29 +129,27 @@ int list()
   return 0;
 }
 
-// The surface of a case, whose layers go into the options, or that of a file.
-vtkSmartPointer<vtkPolyData> makeSurface(Arguments& a)
+// The body of a case, whose layers go into the options.
+bodies::Body makeBody(const bodies::Case& c, Arguments& a)
 {
-  ChainOptions& options = a.options;
-  if (const bodies::Case* c = bodies::findCase(a.subject))
+  const double size = a.size > 0 ? a.size : c.size;
+  bodies::Layers layers = c.layers(size);
+  layers.firstHeight = a.firstHeight.value_or(layers.firstHeight);
+  layers.growth = a.options.growth;
+  layers.number = a.options.layers;
+  if (a.thickness > 0)
   {
-    const double size = a.size > 0 ? a.size : c->size;
-    bodies::Layers layers = c->layers(size);
-    layers.firstHeight = a.firstHeight.value_or(layers.firstHeight);
-    layers.growth = options.growth;
-    layers.number = options.layers;
-    if (a.thickness > 0)
-    {
-      layers.firstHeight *= a.thickness / layers.thickness();
-    }
-    options.firstHeight = layers.firstHeight;
-    const bodies::Body body = c->make(size, layers);
-    options.farField = body.farField;
-    return bodies::toPolyData(body);
+    layers.firstHeight *= a.thickness / layers.thickness();
   }
+  a.options.firstHeight = layers.firstHeight;
+  return c.make(size, layers);
+}
+
+vtkSmartPointer<vtkPolyData> readSurface(Arguments& a)
+{
 #ifdef RANSMESHING_READS_SURFACES
-  options.firstHeight = a.firstHeight.value_or(options.firstHeight);
-  options.surfaceSize = a.size;
+  a.options.firstHeight = a.firstHeight.value_or(a.options.firstHeight);
+  a.options.surfaceSize = a.size;
   return surfaces::readSurfaces({ a.subject });
 #else
   throw UsageError("there is no case " + a.subject);
@@ -182,6 +180,14 @@ std::string quoted(const std::string& text)
   return result + "\"";
 }
 
+void writeNumbers(const std::vector<int>& numbers, std::ostream& text)
+{
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    text << (i > 0 ? ", " : "") << numbers[i];
+  }
+}
+
 std::string toJson(const Arguments& a, const ChainResult& r)
 {
   std::ostringstream text;
@@ -201,12 +207,9 @@ std::string toJson(const Arguments& a, const ChainResult& r)
     separator = ", ";
   }
   text << "},\n \"walls\": [";
-  separator = "";
-  for (const int wall : r.walls)
-  {
-    text << separator << wall;
-    separator = ", ";
-  }
+  writeNumbers(r.walls, text);
+  text << "], \"sheets\": [";
+  writeNumbers(r.sheets, text);
   text << "],\n \"tetrahedra\": " << r.tetrahedra << ", \"layer_tetrahedra\": " << r.layerTetrahedra
        << ", \"over_175\": " << r.over175 << ", \"over_179\": " << r.over179
        << ", \"largest_angle\": " << r.largestAngle
@@ -217,12 +220,14 @@ std::string toJson(const Arguments& a, const ChainResult& r)
 
 int run(Arguments a)
 {
-  const vtkSmartPointer<vtkPolyData> surface = makeSurface(a);
+  const bodies::Case* c = bodies::findCase(a.subject);
+  const bodies::Body body = c ? makeBody(*c, a) : bodies::Body{};
+  const vtkSmartPointer<vtkPolyData> surface = c ? toPolyData(body) : readSurface(a);
   if (!a.surface.empty())
   {
     write<vtkXMLPolyDataWriter>(surface.Get(), a.surface);
   }
-  const ChainResult result = runChain(surface, a.options);
+  const ChainResult result = c ? runChain(body, a.options) : runChain(surface, a.options);
   const std::string json = toJson(a, result);
   std::cout << json;
   if (!a.json.empty())

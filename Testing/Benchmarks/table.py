@@ -65,6 +65,8 @@ def judge(referee, mesh, result):
     command = ["/usr/bin/python3", referee, str(mesh), "--walls", ",".join(map(str, result["walls"])),
                "--first-height", repr(result["first_height"]), "--layers", str(result["layers"]),
                "--growth", repr(result["growth"]), "--json", str(report)]
+    if result["sheets"]:
+        command += ["--internal", ",".join(map(str, result["sheets"]))]
     subprocess.run(command, capture_output=True, check=False)
     return json.loads(report.read_text()) if report.exists() else {}
 
@@ -83,8 +85,9 @@ def percent(value, goal=None, most=False):
 
 
 def full_columns(name, result, layers):
-    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits."""
-    if "-gap" not in name and "-floor" not in name:
+    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits; with sheets,
+    of all columns."""
+    if "-gap" not in name and "-floor" not in name and not result["sheets"]:
         return layers.get("share_of_columns_full")
     limited = ("none", "gap", "isotropic size reached")
     return share(sum(result["stop_reasons"].get(reason, 0) for reason in limited), result["columns"])

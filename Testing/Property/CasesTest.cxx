@@ -1,10 +1,7 @@
 // Every case that the layers are judged by, with coarse triangles: the mesh is valid, and the layers are as good as
 // the case wants them or, where that is not reached yet, as good as they were.
 #include "Bodies/Cases.h"
-#include "Vtk/BodyPolyData.h"
 #include "Vtk/ChainRun.h"
-
-#include <vtkPolyData.h>
 
 #include <gtest/gtest.h>
 
@@ -89,11 +86,10 @@ TEST_P(Cases, AreValidAndReachTheirGoals)
   const bodies::Layers layers = c.layers(c.testSize);
   const bodies::Body body = c.make(c.testSize, layers);
   chain_run::ChainOptions options;
-  options.farField = body.farField;
   options.firstHeight = layers.firstHeight;
   options.growth = layers.growth;
   options.layers = layers.number;
-  const chain_run::ChainResult result = runChain(toPolyData(body), options);
+  const chain_run::ChainResult result = runChain(body, options);
   EXPECT_EQ(result.faults, "");
   EXPECT_LT(result.volumeChange, 1e-9);
   const Goals goals = goalsOf(c);

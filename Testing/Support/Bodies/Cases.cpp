@@ -3,6 +3,7 @@
 #include "Bodies/Blocks.h"
 #include "Bodies/Junctions.h"
 #include "Bodies/Rounds.h"
+#include "Bodies/Sheets.h"
 #include "Bodies/Wings.h"
 
 #include <cmath>
@@ -16,6 +17,7 @@ constexpr Goals cavities = { 1, 0.9999, 1e-4, 0 };
 constexpr Goals wings = { 0.99999, 0.999, 5e-4, 1e-4 };
 constexpr Goals ridges = { 0.99999, 0.999, 1e-3, 2e-4 };
 constexpr Goals junctions = { 0.9999, 0.995, 1e-3, 2e-4 };
+constexpr Goals wakes = { 0.9999, 0.995, 1e-3, 2e-4 };
 constexpr Goals gaps = { 0.99999, 0.995, 1e-3, 2e-4 };
 
 // A case that does not depend on the layers.
@@ -110,6 +112,9 @@ void addGaps(std::vector<Case>& cases)
     add("channel", channel);
   }
   cases.push_back(plain("cylinder-floor", cylinderOnFloor, gaps));
+  cases.push_back(plain("fin-thin", thinFin, ridges));
+  cases.push_back(plain("wake-free", freeWake, wakes));
+  cases.push_back(plain("wing-wake", wingWithWake, wakes));
 }
 } // namespace
 

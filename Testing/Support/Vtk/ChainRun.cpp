@@ -1,9 +1,11 @@
 #include "Vtk/ChainRun.h"
 
+#include "Boundary/SheetSides.h"
 #include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Validation.h"
 #include "MeshConversion.h"
 #include "Support/DataContract.h"
+#include "Vtk/BodyPolyData.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -175,6 +177,14 @@ void judge(vtkPolyData* boundary, int layers, ChainResult& result)
       result.walls.push_back(static_cast<int>(i));
     }
   }
+  for (const ransmesh::SheetTriangle& sheet : ransmesh::findSheets(mesh))
+  {
+    const int patch = mesh.trianglePatch[sheet.triangle];
+    if (std::find(result.sheets.begin(), result.sheets.end(), patch) == result.sheets.end())
+    {
+      result.sheets.push_back(patch);
+    }
+  }
   const ransmesh::MeshFaults faults = ransmesh::findFaults(mesh);
   result.faults = faults.none() ? "" : faults.text();
   countColumns(boundary, result);
@@ -183,10 +193,11 @@ void judge(vtkPolyData* boundary, int layers, ChainResult& result)
 }
 } // namespace
 
-ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
+namespace
+{
+ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, const ChainOptions& options)
 {
   ChainResult result;
-  vtkNew<vtkIsotropicTetMesher> mesher;
   vtkNew<vtkRANSPointRemoval> removal;
   vtkNew<vtkDirectionalEnrichment> enrichment;
   mesher->SetInputData(surface);
@@ -215,5 +226,27 @@ ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
   result.volumeChange = std::fabs(volumeOf(result.mesh) - volume) / volume;
   judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
   return result;
+}
+} // namespace
+
+ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
+{
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  return runFilters(mesher, surface, options);
+}
+
+ChainResult runChain(const bodies::Body& body, ChainOptions options)
+{
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  options.farField = body.farField;
+  for (const bodies::Body& sheet : body.sheets)
+  {
+    mesher->AddSheetData(toPolyData(sheet));
+    for (std::size_t i = 1; i < sheet.patches.size(); ++i)
+    {
+      mesher->SetPatchType(sheet.patches[i].name.c_str(), std::string(nameOf(sheet.patches[i].type)).c_str());
+    }
+  }
+  return runFilters(mesher, toPolyData(body), options);
 }
 } // namespace chain_run

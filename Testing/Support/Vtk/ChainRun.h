@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+namespace bodies
+{
+struct Body;
+}
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
@@ -36,6 +40,7 @@ struct ChainResult
   vtkIdType fullColumns = 0;
   std::map<std::string, int> stopReasons; // columns by reason
   std::vector<int> walls;                 // patch numbers
+  std::vector<int> sheets;                // patch numbers of those that lie in the fluid
   vtkIdType tetrahedra = 0;
   vtkIdType layerTetrahedra = 0;
   vtkIdType over175 = 0; // of these, by their largest dihedral angle
@@ -50,4 +55,6 @@ struct ChainResult
 
 // Throws std::runtime_error with the message of the stage that fails.
 ChainResult runChain(vtkPolyData* surface, const ChainOptions& options);
+// The same with the body's sheets and far field.
+ChainResult runChain(const bodies::Body& body, ChainOptions options);
 } // namespace chain_run
