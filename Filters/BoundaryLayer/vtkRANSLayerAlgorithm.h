@@ -124,7 +124,7 @@ public:
   /**
    * The viscous walls, by name, by name with the wildcards * and ?, or by number. A wildcard never
    * takes patches of type farfield, symmetry, inlet, outlet or interface: these must be named in full.
-   * Without any, the walls are all patches of type wall; if no types are known, every patch that is
+   * Without any, the walls are all patches of type wall or wake; if no types are known, every patch that is
    * not a side of the bounding box.
    */
   void AddWallPatch(const char* pattern);

@@ -201,6 +201,12 @@ void vtkIsotropicTetMesher::AddSheetConnection(vtkAlgorithmOutput* sheets)
 }
 
 //------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::RemoveAllSheets()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
 int vtkIsotropicTetMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());

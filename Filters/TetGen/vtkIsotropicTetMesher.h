@@ -56,6 +56,7 @@ public:
    */
   void AddSheetData(vtkDataObject* sheets);
   void AddSheetConnection(vtkAlgorithmOutput* sheets);
+  void RemoveAllSheets();
   ///@}
 
   ///@{

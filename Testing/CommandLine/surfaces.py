@@ -54,6 +54,18 @@ def sphere(radius=1.0, rings=12, around=20):
     return points, triangles
 
 
+def sheet(corner, first, second, cells):
+    """A parallelogram at a corner, with two sides: points and triangles."""
+    points = [tuple(corner[k] + first[k] * i / cells + second[k] * j / cells for k in range(3))
+              for j in range(cells + 1) for i in range(cells + 1)]
+    triangles = []
+    for j in range(cells):
+        for i in range(cells):
+            a = j * (cells + 1) + i
+            triangles += [(a, a + 1, a + cells + 2), (a, a + cells + 2, a + cells + 1)]
+    return points, triangles
+
+
 def stl_text(points, groups):
     lines = []
     for name, triangles in groups.items():

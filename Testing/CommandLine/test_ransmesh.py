@@ -81,6 +81,8 @@ class Usage(CommandLineTest):
         self.wrong(".vtu files only", NOSECONE, "-o", self.path("mesh.cgns"), *LAYERS)
         self.wrong(".vtp files only", NOSECONE, *out, *LAYERS, "--problems", "p.stl")
         self.wrong("surfaces are read from", "body.step", *out, *LAYERS)
+        self.wrong("surfaces are read from", NOSECONE, "--wake", "wake.step", *out, *LAYERS)
+        self.wrong("--wake needs a value", NOSECONE, *out, *LAYERS, "--wake")
         self.wrong("needs a number", NOSECONE, *out, "--first-height", "thin")
         self.wrong("needs a number", NOSECONE, *out, "--first-height", "nan")
         self.wrong("must be above 0", NOSECONE, *out, "--first-height", "-1")
@@ -185,6 +187,19 @@ class Options(CommandLineTest):
         self.assertGreater(self.cells("--first-height", "1e-3", "--thickness", "0.03", "--growth", "1.05"), few)
         self.assertLess(self.cells(*LAYERS, "--walls", "body"), few)
         self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "base"), few)
+
+    def test_wakes(self):
+        points, triangles = surfaces.sheet((0.3, 0.3, 0.5), (0.4, 0, 0), (0, 0.4, 0), 4)
+        wake = self.file("trail.stl", surfaces.stl_text(points, {"trail": triangles}))
+        report = self.report_of(self.box_obj(), "--wake", wake, "--size", "0.2", "--walls", "trail",
+                                "--first-height", "1e-3", "--layers", "5")
+        self.assertTrue(report["quality"]["Valid"])
+        patch = {p["name"]: p for p in report["patches"]}["trail"]
+        self.assertEqual(patch["type"], "wake")
+        points, triangles = surfaces.sheet((0.3, 0.3, 0.5), (0.9, 0, 0), (0, 0.4, 0), 4)
+        wake = self.file("through.stl", surfaces.stl_text(points, {"through": triangles}))
+        os.remove(self.mesh)
+        self.fails(1, "the sheet 'through' cuts or touches", self.box_obj(), "--wake", wake, *LAYERS, "-o", self.mesh)
 
     def test_surfaces_are_remeshed(self):
         kept = self.cells("--isotropic-only")

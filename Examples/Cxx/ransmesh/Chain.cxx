@@ -11,11 +11,15 @@
 
 namespace commandline
 {
-Chain::Chain(const Options& options, vtkPolyData* surface)
+Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   : options_(options)
 {
   progress_->setQuiet(options.quiet);
   mesher_->SetInputData(surface);
+  if (sheets)
+  {
+    mesher_->AddSheetData(sheets);
+  }
   mesher_->SetMaximumEdgeLength(options.size);
   mesher_->SetSurfaceEdgeLength(options.surfaceSize);
   if (options.farField > 0)

@@ -36,7 +36,8 @@ struct StageTime
 class Chain
 {
 public:
-  Chain(const Options& options, vtkPolyData* surface);
+  // sheets: inside the domain; may be null.
+  Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets);
   ~Chain();
 
   // Throws MeshingError.

@@ -79,14 +79,15 @@ int countOf(Arguments& arguments, const std::string& option)
   return value;
 }
 
-std::vector<std::string> patternsOf(Arguments& arguments, const std::string& option)
+// One or more values, up to the next option.
+std::vector<std::string> valuesOf(Arguments& arguments, const std::string& option)
 {
-  std::vector<std::string> patterns = { arguments.valueOf(option) };
+  std::vector<std::string> values = { arguments.valueOf(option) };
   while (arguments.atValue())
   {
-    patterns.push_back(arguments.next());
+    values.push_back(arguments.next());
   }
-  return patterns;
+  return values;
 }
 
 using Reader = std::function<void(Options&, Arguments&, const std::string&)>;
@@ -99,9 +100,10 @@ const std::map<std::string, Reader>& readers()
   static const std::map<std::string, Reader> table = {
     { "-o", [](O& o, A& a, S& name) { o.output = a.valueOf(name); } },
     { "--far-field", [](O& o, A& a, S& name) { o.farField = lengthOf(a, name); } },
+    { "--wake", [](O& o, A& a, S& name) { o.wakes = valuesOf(a, name); } },
     { "--size", [](O& o, A& a, S& name) { o.size = lengthOf(a, name); } },
     { "--surface-size", [](O& o, A& a, S& name) { o.surfaceSize = lengthOf(a, name); } },
-    { "--walls", [](O& o, A& a, S& name) { o.walls = patternsOf(a, name); } },
+    { "--walls", [](O& o, A& a, S& name) { o.walls = valuesOf(a, name); } },
     { "--first-height", [](O& o, A& a, S& name) { o.firstHeight = lengthOf(a, name); } },
     { "--growth", [](O& o, A& a, S& name) { o.growth = lengthOf(a, name, 1); } },
     { "--layers", [](O& o, A& a, S& name) { o.layers = countOf(a, name); } },
@@ -129,11 +131,14 @@ void checkTogether(const Options& options)
   {
     throw UsageError("no surface file is given");
   }
-  for (const std::string& surface : options.surfaces)
+  for (const auto* files : { &options.surfaces, &options.wakes })
   {
-    if (!surfaces::isSurfaceFile(surface))
+    for (const std::string& file : *files)
     {
-      throw UsageError(surface + ": surfaces are read from .stl, .obj, .ply and .vtp files, also gzipped");
+      if (!surfaces::isSurfaceFile(file))
+      {
+        throw UsageError(file + ": surfaces are read from .stl, .obj, .ply and .vtp files, also gzipped");
+      }
     }
   }
   if (options.output.empty())
@@ -206,6 +211,8 @@ Lengths are in the unit of the surfaces.
 Domain
   --far-field M         a box around the bodies, M body lengths on each side;
                         without it the surfaces themselves bound the domain
+  --wake FILE...        sheets inside the domain: wakes, walls without thickness; layers grow on
+                        both sides; goes on to the next option
   --size L              largest edge in the field
   --surface-size L      size to which surfaces are remeshed (default: kept)
 

@@ -10,6 +10,7 @@ namespace commandline
 struct Options
 {
   std::vector<std::string> surfaces;
+  std::vector<std::string> wakes; // files of sheets
   std::string output;
   std::string report;   // empty: none
   std::string problems; // empty: none

@@ -85,7 +85,13 @@ int mesh(const Options& options)
   std::string error;
   try
   {
-    chain = std::make_unique<Chain>(options, surfaces::readSurfaces(options.surfaces));
+    const auto surface = surfaces::readSurfaces(options.surfaces);
+    vtkSmartPointer<vtkPolyData> sheets;
+    if (!options.wakes.empty())
+    {
+      sheets = surfaces::readSurfaces(options.wakes);
+    }
+    chain = std::make_unique<Chain>(options, surface, sheets);
     chain->run();
     printWarnings(options, *chain);
     writeResults(options, *chain);
