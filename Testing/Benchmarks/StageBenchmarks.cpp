@@ -75,7 +75,7 @@ void runRemoval(benchmark::State& state, Chain& chain)
     chain.keepCleared(mesh);
     state.ResumeTiming();
   }
-  setRate(state, "points/s", result.removed);
+  setRate(state, "points/s", result.marked);
   state.counters["marked"] = static_cast<double>(result.marked);
   state.counters["points"] = static_cast<double>(result.removed);
   state.counters["left"] = static_cast<double>(result.remaining.size());

@@ -8,16 +8,23 @@ BoundaryStars::BoundaryStars(const TetMesh& mesh)
   : mesh_(mesh)
   , start_(mesh.vertexCount() + 1, 0)
 {
-  const auto forEach = [&mesh](auto visit)
+  // Looked up once: the tetrahedra that have them lie all over the memory.
+  static constexpr std::array<Index, 3> nothing = { None, None, None };
+  std::vector<std::array<Index, 3>> vertices(mesh.boundarySlots(), nothing);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
+    const auto b = static_cast<Index>(i);
+    vertices[i] = mesh.boundaryFace(b).isAlive() ? mesh.boundaryVertices(b) : nothing;
+  }
+  const auto forEach = [&vertices](auto visit)
+  {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      const auto b = static_cast<Index>(i);
-      if (mesh.boundaryFace(b).isAlive())
+      if (vertices[i][0] != None)
       {
-        for (const Index v : mesh.boundaryVertices(b))
+        for (const Index v : vertices[i])
         {
-          visit(v, b);
+          visit(v, static_cast<Index>(i));
         }
       }
     }

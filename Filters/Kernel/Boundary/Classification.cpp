@@ -62,6 +62,7 @@ public:
     : mesh_(mesh)
     , stars_(mesh)
     , normal_(mesh.boundarySlots())
+    , vertices_(mesh.boundarySlots())
   {
     for (std::size_t i = 0; i < normal_.size(); ++i)
     {
@@ -69,6 +70,7 @@ public:
       if (mesh.boundaryFace(b).isAlive())
       {
         const auto v = mesh.boundaryVertices(b);
+        vertices_[i] = v;
         normal_[i] =
           normalized(cross(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])));
       }
@@ -80,7 +82,7 @@ public:
     faces_.clear();
     for (const Index b : stars_.facesAt(v))
     {
-      const auto w = mesh_.boundaryVertices(b);
+      const auto& w = vertices_[b];
       const int i = w[0] == v ? 0 : w[1] == v ? 1 : 2;
       faces_.push_back({ b, w[(i + 1) % 3], w[(i + 2) % 3] });
     }
@@ -169,6 +171,7 @@ private:
   const TetMesh& mesh_;
   BoundaryStars stars_;
   std::vector<Vector3> normal_;
+  std::vector<std::array<Index, 3>> vertices_; // of the boundary faces, all close together in memory
   std::vector<Face> faces_;
 };
 

@@ -13,11 +13,16 @@ Vector3 closestPointOnSegment(const Vector3& p, const Vector3& a, const Vector3&
   const double t = lengthSquared > 0 ? std::clamp(dot(p - a, along) / lengthSquared, 0.0, 1.0) : 0.0;
   return a + t * along;
 }
+
+double squaredDistance(const Vector3& a, const Vector3& b)
+{
+  return dot(a - b, a - b);
+}
 } // namespace
 
 Vector3 closestPointOnTriangle(const Vector3& p, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  // Barycentric coordinates of p's projection; where one is negative, the closest point lies on an edge.
+  // Barycentric coordinates of p's projection, times the area: where one is negative, p is beyond an edge.
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
   const Vector3 ap = p - a;
@@ -25,17 +30,26 @@ Vector3 closestPointOnTriangle(const Vector3& p, const Vector3& a, const Vector3
   const double area = dot(normal, normal);
   if (area > 0)
   {
-    const double v = dot(cross(ap, ac), normal) / area;
-    const double w = dot(cross(ab, ap), normal) / area;
-    if (v >= 0 && w >= 0 && v + w <= 1)
+    const double v = dot(cross(ap, ac), normal);
+    const double w = dot(cross(ab, ap), normal);
+    const bool beyondAc = v < 0;
+    const bool beyondAb = w < 0;
+    const bool beyondBc = v + w > area;
+    if (!beyondAc && !beyondAb && !beyondBc)
     {
-      return a + v * ab + w * ac;
+      return a + (v / area) * ab + (w / area) * ac;
+    }
+    if (beyondAc + beyondAb + beyondBc == 1)
+    {
+      return beyondAc ? closestPointOnSegment(p, a, c)
+        : beyondAb    ? closestPointOnSegment(p, a, b)
+                      : closestPointOnSegment(p, b, c);
     }
   }
   Vector3 best = closestPointOnSegment(p, a, b);
   for (const Vector3& candidate : { closestPointOnSegment(p, b, c), closestPointOnSegment(p, c, a) })
   {
-    if (distance(p, candidate) < distance(p, best))
+    if (squaredDistance(p, candidate) < squaredDistance(p, best))
     {
       best = candidate;
     }

@@ -7,6 +7,11 @@
 
 namespace ransmesh
 {
+namespace
+{
+constexpr double worthwhile = 1.05; // by this factor the worst shape must rise
+} // namespace
+
 double LocalImprovement::worstOf(std::span<const Index> tets) const
 {
   double worst = std::numeric_limits<double>::infinity();
@@ -20,7 +25,7 @@ double LocalImprovement::worstOf(std::span<const Index> tets) const
 double LocalImprovement::shapeOf(Index tet) const
 {
   const auto& v = mesh_.tet(tet).vertex;
-  return measure_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
+  return shapeOf(v[0], v[1], v[2], v[3]);
 }
 
 bool LocalImprovement::swap(Index tet)
@@ -42,78 +47,119 @@ bool LocalImprovement::swap(Index tet)
   return false;
 }
 
-// Whether the tetrahedra around the edge (a, b), in tets_, close a ring inside the mesh.
-bool LocalImprovement::ringIsClosed(Index a, Index b) const
+// Collects the tetrahedra around the edge (a, b) and the vertices of their ring, counterclockwise as seen
+// from b; false if the ring is not closed inside the mesh, or too large.
+bool LocalImprovement::walkAround(Index tet, Index a, Index b)
 {
-  return std::all_of(tets_.begin(), tets_.end(),
-    [&](Index t)
+  constexpr std::size_t largestRing = 9;
+  cavity_.tets.clear();
+  ring_.clear();
+  const Tetrahedron& first = mesh_.tet(tet);
+  const int cornerOfA = first.cornerOf(a);
+  const int cornerOfB = first.cornerOf(b);
+  // Of the face opposite to a, turned inward, the vertex before b.
+  int last = 0;
+  for (int j = 0; j < 3; ++j)
+  {
+    last = FaceCorners[cornerOfA][j] == cornerOfB ? FaceCorners[cornerOfA][(j + 2) % 3] : last;
+  }
+  Index behind = first.vertex[last];
+  for (Index t = tet;;)
+  {
+    const Tetrahedron& here = mesh_.tet(t);
+    cavity_.tets.push_back(t);
+    ring_.push_back(behind);
+    const HalfFace beyond = here.neighbour[here.cornerOf(behind)];
+    if (isBoundary(beyond) || cavity_.tets.size() > largestRing)
     {
-      const Tetrahedron& tet = mesh_.tet(t);
-      for (int f = 0; f < 4; ++f)
+      return false;
+    }
+    for (const Index w : here.vertex)
+    {
+      if (w != a && w != b && w != ring_.back())
       {
-        if (tet.vertex[f] != a && tet.vertex[f] != b && isBoundary(tet.neighbour[f]))
-        {
-          return false;
-        }
+        behind = w;
       }
+    }
+    t = tetOf(beyond);
+    if (t == tet)
+    {
       return true;
-    });
+    }
+  }
+}
+
+// The worst shape if the edge (a, b) went and its ring were starred from one of its vertices; gives up,
+// with floor or less, as soon as one is not better than floor.
+double LocalImprovement::worstWithout(Index a, Index b, std::size_t apex, double floor) const
+{
+  const std::size_t count = ring_.size();
+  double worst = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i + 1 < count && worst > floor; ++i)
+  {
+    const Index from = ring_[(apex + i) % count];
+    const Index to = ring_[(apex + i + 1) % count];
+    worst = std::min(worst, shapeOf(ring_[apex], from, to, b));
+    if (worst > floor)
+    {
+      worst = std::min(worst, shapeOf(ring_[apex], to, from, a));
+    }
+  }
+  return worst;
 }
 
 bool LocalImprovement::swapEdge(Index tet, int edge)
 {
   const Index a = mesh_.tet(tet).vertex[EdgeCorners[edge][0]];
   const Index b = mesh_.tet(tet).vertex[EdgeCorners[edge][1]];
-  traversal_.ring(tet, a, b, tets_);
-  constexpr std::size_t largestRing = 9;
-  if (tets_.size() > largestRing || !ringIsClosed(a, b))
+  if (!walkAround(tet, a, b))
   {
     return false;
   }
-  apexes_.clear();
-  for (const Index t : tets_)
+  double floor = worthwhile * worstOf(cavity_.tets);
+  Index best = None;
+  for (std::size_t i = 0; i < ring_.size(); ++i)
   {
-    for (const Index v : mesh_.tet(t).vertex)
+    const double worst = worstWithout(a, b, i, floor);
+    if (worst > floor)
     {
-      if (v != a && v != b && std::find(apexes_.begin(), apexes_.end(), v) == apexes_.end())
-      {
-        apexes_.push_back(v);
-      }
+      best = ring_[i];
+      floor = worst;
     }
   }
-  return starBest(tets_, apexes_);
+  return best != None && star(best);
+}
+
+// The worst shape if the face between d, on its inner side, and e gave way to an edge between these.
+double LocalImprovement::worstWith(Index d, Index e, const std::array<Index, 3>& face, double floor) const
+{
+  double worst = std::numeric_limits<double>::infinity();
+  for (int j = 0; j < 3 && worst > floor; ++j)
+  {
+    worst = std::min(worst, shapeOf(e, d, face[j], face[(j + 1) % 3]));
+  }
+  return worst;
 }
 
 bool LocalImprovement::swapFace(Index tet, int face)
 {
-  const HalfFace beyond = mesh_.tet(tet).neighbour[face];
+  const Tetrahedron& here = mesh_.tet(tet);
+  const HalfFace beyond = here.neighbour[face];
   if (isBoundary(beyond))
   {
     return false;
   }
-  tets_ = { tet, tetOf(beyond) };
-  apexes_ = { mesh_.tet(tet).vertex[face] };
-  return starBest(tets_, apexes_);
+  const Index d = here.vertex[face];
+  const Index e = mesh_.tet(tetOf(beyond)).vertex[faceOf(beyond)];
+  cavity_.tets = { tet, tetOf(beyond) };
+  const double floor = worthwhile * worstOf(cavity_.tets);
+  return worstWith(d, e, here.face(face), floor) > floor && star(d);
 }
 
-// Stars the tetrahedra from the best of the apexes, if that raises the worst quality.
-bool LocalImprovement::starBest(std::span<const Index> tets, std::span<const Index> apexes)
+// Stars the cavity from the apex, if that is possible.
+bool LocalImprovement::star(Index apex)
 {
-  constexpr double worthwhile = 1.05;
-  cavity_.begin(tets, {});
-  double floor = worthwhile * worstOf(tets);
-  Index best = None;
-  for (const Index apex : apexes)
-  {
-    const double worst = cavity_.worstFrom(apex, floor);
-    if (worst > floor && worst < std::numeric_limits<double>::infinity())
-    {
-      best = apex;
-      floor = worst;
-    }
-  }
-  if (best == None || star_.check(cavity_.cavity(), best) != StarVerdict::Possible ||
-    !star_.lostVertices().empty())
+  if (star_.check(cavity_, apex) != StarVerdict::Possible || !star_.lostVertices().empty())
   {
     return false;
   }

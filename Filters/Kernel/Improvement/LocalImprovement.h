@@ -1,14 +1,24 @@
 // Swaps and movement: better tetrahedra from the same points.
 #pragma once
 
-#include "Improvement/GrowingCavity.h"
+#include "Boundary/BoundaryRules.h"
+#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
+#include <array>
+#include <span>
 #include <vector>
 
 namespace ransmesh
 {
+// The quality (Geometry/TetrahedronMeasures.h) of a live tetrahedron of the mesh.
+inline double qualityOf(const TetMesh& mesh, Index t)
+{
+  const auto& v = mesh.tet(t).vertex;
+  return quality(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
+}
+
 class LocalImprovement
 {
 public:
@@ -18,7 +28,6 @@ public:
     , measure_(measure)
     , star_(mesh)
     , traversal_(mesh)
-    , cavity_(mesh, rules, measure)
   {
   }
 
@@ -43,8 +52,14 @@ public:
 private:
   bool swapEdge(Index tet, int edge);
   bool swapFace(Index tet, int face);
-  bool starBest(std::span<const Index> tets, std::span<const Index> apexes);
-  bool ringIsClosed(Index a, Index b) const;
+  bool walkAround(Index tet, Index a, Index b);
+  double worstWithout(Index a, Index b, std::size_t apex, double floor) const;
+  double worstWith(Index d, Index e, const std::array<Index, 3>& face, double floor) const;
+  bool star(Index apex);
+  double shapeOf(Index a, Index b, Index c, Index d) const
+  {
+    return measure_(mesh_.point(a), mesh_.point(b), mesh_.point(c), mesh_.point(d));
+  }
   double worstOf(std::span<const Index> tets) const;
   Vector3 meanNeighbour(Index v) const;
   bool moveOnto(Index v, const Vector3& place, double wanted);
@@ -54,9 +69,9 @@ private:
   ShapeMeasure measure_;
   Star star_;
   Traversal traversal_;
-  GrowingCavity cavity_;
+  Cavity cavity_;
   std::vector<Index> tets_;
-  std::vector<Index> apexes_;
+  std::vector<Index> ring_; // vertices around an edge
   const std::vector<Index>* made_ = nullptr;
 };
 } // namespace ransmesh

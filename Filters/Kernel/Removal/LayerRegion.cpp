@@ -3,11 +3,14 @@
 #include "Geometry/Distance.h"
 #include "Geometry/SpatialOrder.h"
 #include "Geometry/TetrahedronMeasures.h"
+#include "Mesh/Marks.h"
 #include "Mesh/Traversal.h"
 
 #include <algorithm>
-#include <deque>
-#include <limits>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <utility>
 
 namespace ransmesh
 {
@@ -17,14 +20,32 @@ struct WallTriangle
 {
   std::array<Index, 3> vertex;
   int patch;
+  double perimeter;
   double reach;
 };
 
-// A sphere that holds a triangle, grown by the triangle's reach: for quick bounds.
-struct Ball
+// Remembers the pairs that came lately: those that come again soon are most.
+class RecentPairs
+{
+public:
+  // Whether (a, b) is not among those remembered. Remembers it.
+  bool isNew(Index a, Index b)
+  {
+    const auto pair = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
+    std::uint64_t& place = pairs_[(pair * 0x9e3779b97f4a7c15ULL) >> 52];
+    return std::exchange(place, pair) != pair;
+  }
+
+private:
+  std::vector<std::uint64_t> pairs_ = std::vector<std::uint64_t>(4096, ~std::uint64_t{ 0 });
+};
+
+// For quick bounds: a sphere that holds a triangle, grown by the triangle's reach, and its plane.
+struct Bounds
 {
   Vector3 centre;
   double radius;
+  Vector3 normal; // unit, or zero
 };
 
 // The walls' triangles, those at each vertex, and how far the region reaches from each.
@@ -40,7 +61,11 @@ public:
   }
 
   bool isWall(Index v) const { return first_[v] != first_[v + 1]; }
-  Index someTriangleAt(Index v) const { return triangleAt_[first_[v]]; }
+  // The triangles at a vertex of the walls.
+  std::span<const Index> at(Index v) const
+  {
+    return { triangleAt_.data() + first_[v], triangleAt_.data() + first_[v + 1] };
+  }
   double reach(Index t) const { return triangles_[t].reach; }
 
   // The quality of the tetrahedron from triangle t to the end of its reach.
@@ -50,58 +75,65 @@ public:
     const Vector3& a = mesh_.point(w.vertex[0]);
     const Vector3& b = mesh_.point(w.vertex[1]);
     const Vector3& c = mesh_.point(w.vertex[2]);
-    const Vector3 top = balls_[t].centre + w.reach * normalized(cross(b - a, c - a));
+    const Vector3 top = bounds_[t].centre + w.reach * bounds_[t].normal;
     return std::clamp(quality(a, b, c, top), 0.0, 1.0);
   }
 
-  // By how far p lies beyond the reach of triangle t; not above 0 inside the region.
-  double excess(const Vector3& p, Index t) const
+  // Whether p lies within the reach of triangle t.
+  bool reaches(const Vector3& p, Index t) const
   {
+    const Bounds& bounds = bounds_[t];
     const WallTriangle& w = triangles_[t];
-    return distanceToTriangle(
-             p, mesh_.point(w.vertex[0]), mesh_.point(w.vertex[1]), mesh_.point(w.vertex[2])) -
+    const Vector3 offset = p - bounds.centre;
+    return std::fabs(dot(offset, bounds.normal)) <= w.reach &&
+      dot(offset, offset) <= bounds.radius * bounds.radius &&
+      distanceToTriangle(p, mesh_.point(w.vertex[0]), mesh_.point(w.vertex[1]), mesh_.point(w.vertex[2])) <=
       w.reach;
   }
 
-  // A lower bound of the excess, quickly.
-  double leastExcess(const Vector3& p, Index t) const
+  // Walks over the wall from triangle t to one whose centre is closer to p than those around it.
+  Index approach(const Vector3& p, Index t) const
   {
-    return distance(p, balls_[t].centre) - balls_[t].radius;
-  }
-
-  // Walks over the wall from triangle t, whose excess is given, to where the excess is smallest.
-  Index descend(const Vector3& p, Index t, double& excessHere) const
-  {
-    for (bool moved = true; moved;)
+    double best = squareOf(p - bounds_[t].centre);
+    for (Index from = None; from != t;)
     {
-      moved = false;
-      for (const Index v : triangles_[t].vertex)
+      from = t;
+      for (const Index v : triangles_[from].vertex)
       {
-        for (Index i = first_[v]; i < first_[v + 1]; ++i)
+        for (const Index other : at(v))
         {
-          const Index other = triangleAt_[i];
-          if (leastExcess(p, other) >= excessHere)
-          {
-            continue;
-          }
-          const double there = excess(p, other);
-          if (there < excessHere)
-          {
-            excessHere = there;
-            t = other;
-            moved = true;
-          }
-        }
-        if (moved)
-        {
-          break;
+          const double square = squareOf(p - bounds_[other].centre);
+          t = square < best ? other : t;
+          best = std::min(best, square);
         }
       }
     }
     return t;
   }
 
+  // A triangle that reaches p: t or one around it; None if none does.
+  Index reachingAround(const Vector3& p, Index t) const
+  {
+    if (reaches(p, t))
+    {
+      return t;
+    }
+    for (const Index v : triangles_[t].vertex)
+    {
+      for (const Index other : at(v))
+      {
+        if (other != t && reaches(p, other))
+        {
+          return other;
+        }
+      }
+    }
+    return None;
+  }
+
 private:
+  static double squareOf(const Vector3& a) { return dot(a, a); }
+
   void collect(const LayerPlan& plan)
   {
     for (std::size_t b = 0; b < mesh_.boundarySlots(); ++b)
@@ -110,9 +142,22 @@ private:
       const auto patch = static_cast<std::size_t>(face.patch);
       if (face.isAlive() && patch < plan.size() && plan[patch].hasLayers())
       {
-        triangles_.push_back({ mesh_.boundaryVertices(static_cast<Index>(b)), face.patch, 0 });
+        const auto v = mesh_.boundaryVertices(static_cast<Index>(b));
+        triangles_.push_back({ v, face.patch, addBounds(v), 0 });
       }
     }
+  }
+
+  // Gives the perimeter.
+  double addBounds(const std::array<Index, 3>& v)
+  {
+    const Vector3& a = mesh_.point(v[0]);
+    const Vector3& b = mesh_.point(v[1]);
+    const Vector3& c = mesh_.point(v[2]);
+    const Vector3 centre = (1.0 / 3) * (a + b + c);
+    const double radius = std::max({ distance(centre, a), distance(centre, b), distance(centre, c) });
+    bounds_.push_back({ centre, radius, normalized(cross(b - a, c - a)) });
+    return distance(a, b) + distance(b, c) + distance(c, a);
   }
 
   void linkToVertices()
@@ -144,11 +189,9 @@ private:
   double sizeAt(Index v) const
   {
     double sum = 0;
-    for (Index i = first_[v]; i < first_[v + 1]; ++i)
+    for (const Index t : at(v))
     {
-      const auto& w = triangles_[triangleAt_[i]].vertex;
-      sum += distance(mesh_.point(w[0]), mesh_.point(w[1])) + distance(mesh_.point(w[1]), mesh_.point(w[2])) +
-        distance(mesh_.point(w[2]), mesh_.point(w[0]));
+      sum += triangles_[t].perimeter;
     }
     return sum / (3 * (first_[v + 1] - first_[v]));
   }
@@ -165,28 +208,25 @@ private:
     {
       sizes[v] = isWall(static_cast<Index>(v)) ? sizeAt(static_cast<Index>(v)) : 0;
     }
-    for (WallTriangle& t : triangles_)
+    for (std::size_t i = 0; i < triangles_.size(); ++i)
     {
+      WallTriangle& t = triangles_[i];
       const double size = std::max({ sizes[t.vertex[0]], sizes[t.vertex[1]], sizes[t.vertex[2]] });
       const double thickness = limitedThickness(heights[t.patch], plan[t.patch].isotropicFraction, size);
       t.reach = thickness > 0 ? thickness + margin * size : 0;
-      const Vector3& a = mesh_.point(t.vertex[0]);
-      const Vector3& b = mesh_.point(t.vertex[1]);
-      const Vector3& c = mesh_.point(t.vertex[2]);
-      const Vector3 centre = (1.0 / 3) * (a + b + c);
-      const double radius = std::max({ distance(centre, a), distance(centre, b), distance(centre, c) });
-      balls_.push_back({ centre, radius + t.reach });
+      bounds_[i].radius += t.reach;
     }
   }
 
   const TetMesh& mesh_;
   std::vector<WallTriangle> triangles_;
-  std::vector<Ball> balls_;  // of triangles_
-  std::vector<Index> first_; // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
+  std::vector<Bounds> bounds_; // of triangles_
+  std::vector<Index> first_;   // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
   std::vector<Index> triangleAt_;
 };
 
-// Spreads, from the walls outward, the wall triangle that counts for each vertex.
+// Finds the vertices inside the region, from the walls outward: for each, a wall triangle within whose
+// reach it lies.
 class Advance
 {
 public:
@@ -194,52 +234,82 @@ public:
     : mesh_(mesh)
     , walls_(walls)
     , traversal_(mesh)
-    , nearest_(mesh.vertexCount(), None)
-    , excess_(mesh.vertexCount(), std::numeric_limits<double>::infinity())
+    , triangle_(mesh.vertexCount(), None)
+    , isInside_(mesh.vertexCount(), 0)
   {
   }
 
   void run()
   {
-    std::vector<Index> start;
-    for (std::size_t v = 0; v < mesh_.vertexCount(); ++v)
+    startFromWalls();
+    for (std::size_t i = 0; i < inside_.size(); ++i)
     {
-      if (walls_.isWall(static_cast<Index>(v)))
-      {
-        start.push_back(static_cast<Index>(v));
-      }
-    }
-    sortSpatially(mesh_.points(), start);
-    for (const Index v : start)
-    {
-      nearest_[v] = walls_.someTriangleAt(v);
-      excess_[v] = -walls_.reach(nearest_[v]);
-      front_.push_back(v);
-    }
-    while (!front_.empty())
-    {
-      const Index v = front_.front();
-      front_.pop_front();
-      passOn(v);
+      passOn(inside_[i]);
     }
   }
 
-  bool isInside(Index v) const { return excess_[v] <= 0; }
-  double excess(Index v) const { return excess_[v]; }
-  double reach(Index v) const { return walls_.reach(nearest_[v]); }
-  double attainableQuality(Index v) const { return walls_.attainableQuality(nearest_[v]); }
+  // In the order in which they were found.
+  const std::vector<Index>& inside() const { return inside_; }
+  double reach(Index v) const { return walls_.reach(triangle_[v]); }
+  double attainableQuality(Index v) const { return walls_.attainableQuality(triangle_[v]); }
 
 private:
+  // The neighbours of the walls' vertices. One look at all tetrahedra in their order is quicker than a
+  // walk around each vertex.
+  void startFromWalls()
+  {
+    for (std::size_t t = 0; t < mesh_.tetSlots(); ++t)
+    {
+      const Tetrahedron& tet = mesh_.tet(static_cast<Index>(t));
+      if (!tet.isAlive())
+      {
+        continue;
+      }
+      for (const Index w : tet.vertex)
+      {
+        if (walls_.isWall(w))
+        {
+          offerTrianglesAt(w, tet);
+        }
+      }
+    }
+  }
+
+  void offerTrianglesAt(Index w, const Tetrahedron& tet)
+  {
+    for (const Index v : tet.vertex)
+    {
+      if (walls_.isWall(v) || isInside_[v] || !offered_.isNew(w, v))
+      {
+        continue;
+      }
+      const auto& around = walls_.at(w);
+      const auto found = std::find_if(around.begin(), around.end(),
+        [&](Index triangle) { return walls_.reaches(mesh_.point(v), triangle); });
+      if (found != around.end())
+      {
+        enter(v, *found);
+      }
+    }
+  }
+
+  void enter(Index v, Index triangle)
+  {
+    triangle_[v] = triangle;
+    isInside_[v] = 1;
+    inside_.push_back(v);
+  }
+
   void passOn(Index from)
   {
-    const Index triangle = nearest_[from];
+    const Index triangle = triangle_[from];
     traversal_.ball(from, ball_);
-    seen_.clear(mesh_.vertexCount());
+    offeredNow_.clear(mesh_.vertexCount());
     for (const Index t : ball_)
     {
       for (const Index v : mesh_.tet(t).vertex)
       {
-        if (seen_.set(v) && !walls_.isWall(v) && nearest_[v] != triangle)
+        if (!isInside_[v] && !walls_.isWall(v) && offeredNow_.set(v))
         {
           offer(v, triangle);
         }
@@ -247,36 +317,36 @@ private:
     }
   }
 
+  // v is not inside yet; is it, as seen from near this triangle?
   void offer(Index v, Index triangle)
   {
-    if (walls_.leastExcess(mesh_.point(v), triangle) >= excess_[v])
+    if (walls_.reaches(mesh_.point(v), triangle))
     {
+      enter(v, triangle);
       return;
     }
-    double excess = walls_.excess(mesh_.point(v), triangle);
-    if (excess >= excess_[v])
+    const Index nearest = walls_.approach(mesh_.point(v), triangle);
+    if (nearest == triangle_[v])
     {
-      return;
+      return; // in vain once already
     }
-    const Index best = walls_.descend(mesh_.point(v), triangle, excess);
-    // What is known already within a thousandth is not passed on again.
-    const bool isNews = excess <= 0 && (excess_[v] > 0 || excess_[v] - excess > 1e-3 * walls_.reach(best));
-    excess_[v] = excess;
-    nearest_[v] = best;
-    if (isNews)
+    triangle_[v] = nearest;
+    const Index reaching = walls_.reachingAround(mesh_.point(v), nearest);
+    if (reaching != None)
     {
-      front_.push_back(v);
+      enter(v, reaching);
     }
   }
 
   const TetMesh& mesh_;
   const Walls& walls_;
   Traversal traversal_;
-  std::vector<Index> nearest_;
-  std::vector<double> excess_;
-  std::deque<Index> front_;
   std::vector<Index> ball_;
-  Marks seen_;
+  Marks offeredNow_;
+  RecentPairs offered_;
+  std::vector<Index> triangle_; // by vertex: one that reaches it; or else the last one looked at
+  std::vector<char> isInside_;
+  std::vector<Index> inside_;
 };
 
 bool mayGo(const Classification& classification, const std::vector<char>& changeable, Index v)
@@ -310,10 +380,9 @@ LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classific
   region.isMarked.assign(mesh.vertexCount(), 0);
   region.reach.assign(mesh.vertexCount(), 0);
   region.attainable.assign(mesh.vertexCount(), 1);
-  for (std::size_t i = 0; i < mesh.vertexCount(); ++i)
+  for (const Index v : advance.inside())
   {
-    const auto v = static_cast<Index>(i);
-    if (advance.isInside(v) && !walls.isWall(v) && mayGo(classification, changeable, v))
+    if (mayGo(classification, changeable, v))
     {
       region.marked.push_back(v);
       region.isMarked[v] = 1;

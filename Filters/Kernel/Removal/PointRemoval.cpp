@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -16,10 +17,12 @@ namespace
 {
 // The limits of the passes: collapse first, then cavities, then less and less quality.
 constexpr RemovalLimits Passes[] = {
+  { 0.20, 0, 0, 0 },
   { 0.15, 0, 0, 0 },
-  { 0.12, 0, 0, 1 },
-  { 0.10, 0, 12, 1 },
-  { 0.10, 8, 0, 1 },
+  { 0.15, 4, 0, 1 },
+  { 0.12, 6, 0, 1 },
+  { 0.09, 12, 0, 1 },
+  { 0.06, 20, 0, 1 },
   { 0.06, 0, 12, 1 },
   { 0.05, 20, 12, 1 },
   { 0.03, 20, 12, 1 },
@@ -29,6 +32,9 @@ constexpr RemovalLimits Passes[] = {
   { 0.02, 40, 40, 0.3 },
   { 0.02, 40, 40, 0.2 },
 };
+constexpr int LooseningFrom = 5; // pass
+constexpr int DrivingFrom = 7;
+constexpr double Poor = 0.12; // quality below which swaps are tried
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
 class Removal
@@ -52,7 +58,7 @@ public:
     std::vector<Index> left = orderByKind(region_.marked);
     for (int pass = 0; pass < PassCount && !left.empty(); ++pass)
     {
-      if (pass >= 2)
+      if (pass >= LooseningFrom)
       {
         loosen(left, pass, result);
       }
@@ -69,7 +75,6 @@ public:
     result.remaining = left;
     result.removed = result.marked - left.size();
     countOf(result.verdicts, RemovalVerdict::Absorbed) = remover_.absorbed();
-    result.worstQualityAfter = worstMade();
   }
 
 private:
@@ -111,12 +116,18 @@ private:
     context_.report(progress_, "removing points");
   }
 
+  // The share of the usual quality that the walls allow at a point.
+  double allowedAt(Index v) const
+  {
+    constexpr double least = 0.01;
+    return std::clamp(1.25 * region_.attainable[v], least, 1.0);
+  }
+
   // The limits of a pass at a point: no better quality is asked for than the walls allow, and in the last
   // pass less.
   RemovalLimits limitsAt(Index v, int pass) const
   {
-    constexpr double least = 0.01;
-    const double allowed = std::clamp(1.25 * region_.attainable[v], least, 1.0);
+    const double allowed = allowedAt(v);
     RemovalLimits limits = Passes[pass];
     limits.quality *= pass + 1 == PassCount ? allowed * allowed : allowed;
     return limits;
@@ -133,17 +144,21 @@ private:
     }
     for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(); ++cut)
     {
-      note(valence_.made());
+      notePoor(valence_.made());
       verdict = remover_.remove(v, plain);
     }
-    if (!region_.isMarked[v])
+    if (!region_.isMarked[v] && remover_.worstMade() < Poor)
     {
-      note(remover_.made());
+      notePoor(remover_.made());
     }
     return verdict;
   }
 
-  void note(const std::vector<Index>& made) { made_.insert(made_.end(), made.begin(), made.end()); }
+  void notePoor(const std::vector<Index>& made)
+  {
+    std::copy_if(made.begin(), made.end(), std::back_inserter(poor_),
+      [this](Index t) { return qualityOf(mesh_, t) < Poor; });
+  }
 
   // Moves v to where it would best be collapsed to, as far as it comes.
   bool driveToApex(Index v, int pass)
@@ -158,59 +173,42 @@ private:
   void loosen(const std::vector<Index>& left, int pass, RemovalResult& result)
   {
     constexpr double keep = 0.5;
-    const bool drive = pass >= 5;
+    const bool drive = pass >= DrivingFrom;
     for (const Index v : left)
     {
       result.movements += drive ? driveToApex(v, pass) : improvement_.move(v, keep);
       traversal_.ball(v, ball_);
       for (const Index t : ball_)
       {
-        constexpr double poor = 0.12;
-        if (mesh_.tet(t).isAlive() && mesh_.tet(t).has(v) && qualityOf(mesh_, t) < poor &&
+        if (mesh_.tet(t).isAlive() && mesh_.tet(t).has(v) && qualityOf(mesh_, t) < Poor &&
           improvement_.swap(t))
         {
           ++result.swaps;
-          note(improvement_.made());
+          notePoor(improvement_.made());
         }
       }
     }
   }
 
-  // Swaps away the poor tetrahedra that removal made.
+  // Swaps away the poor tetrahedra that removal made, and those that the swaps made of them.
   void improve(RemovalResult& result)
   {
     constexpr int rounds = 3;
-    constexpr double poor = 0.12;
-    std::sort(made_.begin(), made_.end());
-    made_.erase(std::unique(made_.begin(), made_.end()), made_.end());
-    std::vector<Index> work = made_;
-    for (int round = 0; round < rounds && !work.empty(); ++round)
+    std::sort(poor_.begin(), poor_.end());
+    poor_.erase(std::unique(poor_.begin(), poor_.end()), poor_.end());
+    for (int round = 0; round < rounds && !poor_.empty(); ++round)
     {
       std::vector<Index> next;
-      for (const Index t : work)
+      for (const Index t : poor_)
       {
-        if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < poor && improvement_.swap(t))
+        if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < Poor && improvement_.swap(t))
         {
           ++result.swaps;
           next.insert(next.end(), improvement_.made().begin(), improvement_.made().end());
         }
       }
-      note(next);
-      work.swap(next);
+      poor_.swap(next);
     }
-  }
-
-  double worstMade() const
-  {
-    double worst = 1;
-    for (const Index t : made_)
-    {
-      if (mesh_.tet(t).isAlive())
-      {
-        worst = std::min(worst, qualityOf(mesh_, t));
-      }
-    }
-    return worst;
   }
 
   TetMesh& mesh_;
@@ -222,7 +220,7 @@ private:
   ValenceReduction valence_;
   Traversal traversal_;
   std::vector<Index> ball_;
-  std::vector<Index> made_;
+  std::vector<Index> poor_; // tetrahedra that were poor when they were made
   double progress_ = 0;
 };
 
@@ -239,21 +237,6 @@ bool patchesAreKnown(const TetMesh& mesh, const PatchTable& patches)
   return true;
 }
 
-double worstAt(const TetMesh& mesh, const std::vector<char>& isMarked)
-{
-  double worst = 1;
-  for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
-  {
-    const auto t = static_cast<Index>(i);
-    const Tetrahedron& tet = mesh.tet(t);
-    if (tet.isAlive() &&
-      std::any_of(tet.vertex.begin(), tet.vertex.end(), [&](Index v) { return isMarked[v] != 0; }))
-    {
-      worst = std::min(worst, qualityOf(mesh, t));
-    }
-  }
-  return worst;
-}
 } // namespace
 
 std::string RemovalResult::text() const
@@ -279,7 +262,6 @@ RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const Layer
   {
     return result;
   }
-  result.worstQualityBefore = worstAt(mesh, region.isMarked);
   const double cosine = std::cos(options.maximumSurfaceAngle * std::numbers::pi / 180);
   Removal(mesh, rules, region, cosine, context).run(result);
   return result;

@@ -32,8 +32,6 @@ struct RemovalResult
   RemovalTally verdicts{};      // of all attempts, many of which concern the same point
   std::size_t movements = 0;
   std::size_t swaps = 0;
-  double worstQualityBefore = 1; // among the tetrahedra at marked points
-  double worstQualityAfter = 1;  // among the tetrahedra that were made
 
   // One line for the user.
   std::string text() const;

@@ -59,10 +59,24 @@ bool ValenceReduction::beginAt(Index tet, Index end)
     return false;
   }
   traversal_.ring(tet, vertex_, end, ring_);
-  cavity_.begin(ring_, { vertex_, end });
+  cavity_.turnTo(ring_, { vertex_, end });
   const auto& starred = cavity_.cavity().starredFaces;
   return std::all_of(starred.begin(), starred.end(),
     [this](Index b) { return rules_.changeable[mesh_.boundaryFace(b).patch] != 0; });
+}
+
+// Whether the surface stays where it is if it is starred from the apex: only a vertex of the faces that
+// go will do.
+bool ValenceReduction::maySee(Index apex) const
+{
+  const auto& starred = cavity_.cavity().starredFaces;
+  return starred.empty() ||
+    std::any_of(starred.begin(), starred.end(),
+      [&](Index b)
+      {
+        const auto v = mesh_.boundaryVertices(b);
+        return v[0] == apex || v[1] == apex || v[2] == apex;
+      });
 }
 
 double ValenceReduction::floorFor() const
@@ -92,7 +106,8 @@ ValenceReduction::Cut ValenceReduction::bestCut(Index tet, Index end)
   {
     for (const Index w : mesh_.tet(t).vertex)
     {
-      if (w != vertex_ && w != end && std::find(apexes_.begin(), apexes_.end(), w) == apexes_.end())
+      if (w != vertex_ && w != end && maySee(w) &&
+        std::find(apexes_.begin(), apexes_.end(), w) == apexes_.end())
       {
         apexes_.push_back(w);
       }

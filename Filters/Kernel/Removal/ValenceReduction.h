@@ -1,7 +1,9 @@
 // Takes edges away from a vertex, so that what is left of its ball can be starred without it.
 #pragma once
 
-#include "Improvement/GrowingCavity.h"
+#include "Boundary/BoundaryRules.h"
+#include "Improvement/LocalImprovement.h"
+#include "Improvement/OuterFaces.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 #include "Removal/RemovalLimits.h"
@@ -19,7 +21,7 @@ public:
     , rules_(rules)
     , star_(mesh)
     , traversal_(mesh)
-    , cavity_(mesh, rules)
+    , cavity_(mesh)
     , surface_(mesh, rules.classification.ridges, cosine)
   {
   }
@@ -44,6 +46,7 @@ private:
 
   Cut bestCut(Index tet, Index end);
   bool beginAt(Index tet, Index end);
+  bool maySee(Index apex) const;
   double floorFor() const;
   bool apply(const Cut& cut);
   Index tetWith(Index end) const;
@@ -53,7 +56,7 @@ private:
   const BoundaryRules& rules_;
   Star star_;
   Traversal traversal_;
-  GrowingCavity cavity_;
+  OuterFaces cavity_;
   SurfaceStar surface_;
   Marks seen_;
   std::vector<Index> ball_;

@@ -1,17 +1,27 @@
 #include "Removal/VertexRemover.h"
 
+#include "Mesh/Collapse.h"
+
 #include <algorithm>
+#include <iterator>
 
 namespace ransmesh
 {
+namespace
+{
+// An edge is too long if it is more than twice as long as the longest one that goes, and longer than
+// the region is thick by far.
+constexpr double farAsRegion = 2.5;
+constexpr double farAsBefore = 2;
+} // namespace
+
 VertexRemover::VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine)
   : mesh_(mesh)
   , rules_(rules)
   , region_(region)
   , cosine_(cosine)
   , star_(mesh)
-  , traversal_(mesh)
-  , cavity_(mesh, rules)
+  , link_(mesh)
   , surface_(mesh, rules.classification.ridges, cosine)
 {
 }
@@ -22,71 +32,75 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
   {
     return RemovalVerdict::SurfaceTurned;
   }
-  begin(v);
-  rankApexes(limits);
+  look(v);
+  const double floor = floorFor(limits);
+  if (limits.growth > 0)
+  {
+    constexpr std::size_t enough = 4; // growing costs much
+    keepPromisingEnds(floor, enough);
+  }
+  rank(floor, limits.growth);
   RemovalVerdict verdict = RemovalVerdict::LowQuality;
   for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate)
   {
-    worstFrom(candidate->apex, candidate->floor, limits);
-    verdict = tryApex(v, candidate->apex);
-    if (verdict == RemovalVerdict::Collapsed)
+    verdict = tryEnd(v, *candidate, limits.growth);
+    if (verdict == RemovalVerdict::Collapsed || verdict == RemovalVerdict::RemovedWithCavity)
     {
-      const bool enlarged = cavity_.cavity().tets.size() > ball_.size();
-      return enlarged ? RemovalVerdict::RemovedWithCavity : verdict;
+      break;
     }
   }
   return verdict;
 }
 
-void VertexRemover::begin(Index v)
-{
-  traversal_.ball(v, ball_);
-  collectApexes(v);
-  cavity_.begin(ball_, { v });
-}
-
 Index VertexRemover::nearestApex(Index v, const RemovalLimits& limits)
 {
-  begin(v);
-  keepPromisingApexes(floorFor(limits), 1);
-  return apexes_.front();
+  look(v);
+  keepPromisingEnds(floorFor(limits), 1);
+  return link_.ends()[ends_.front()];
 }
 
-void VertexRemover::collectApexes(Index v)
+// Turns to v, and collects the ends to which it may go: along its own ridge or surface.
+void VertexRemover::look(Index v)
 {
-  apexes_.clear();
-  const VertexKind kind = rules_.classification.kind[v];
-  if (kind == VertexKind::Ridge)
+  link_.turnTo(v);
+  cavity_.starredFaces.clear();
+  ends_.clear();
+  const bool inVolume = rules_.classification.kind[v] == VertexKind::Volume;
+  if (!inVolume)
   {
-    const auto ends = rules_.classification.ridges.at(v);
-    apexes_.assign(ends.begin(), ends.end());
-    return;
+    collectSurfaceEnds(v);
   }
-  seen_.clear(mesh_.vertexCount());
-  seen_.set(v);
-  const auto add = [this](Index w)
+  const auto all = link_.ends();
+  for (int end = 0; end < static_cast<int>(all.size()); ++end)
   {
-    if (seen_.set(w))
+    if (inVolume || std::find(surfaceEnds_.begin(), surfaceEnds_.end(), all[end]) != surfaceEnds_.end())
     {
-      apexes_.push_back(w);
+      ends_.push_back(end);
     }
-  };
-  for (const Index t : ball_)
+  }
+}
+
+// The boundary faces at v, and its neighbours along the surface or the ridge.
+void VertexRemover::collectSurfaceEnds(Index v)
+{
+  surfaceEnds_.clear();
+  for (const Index t : link_.ball())
   {
     const Tetrahedron& tet = mesh_.tet(t);
-    if (kind == VertexKind::Volume)
-    {
-      std::for_each(tet.vertex.begin(), tet.vertex.end(), add);
-      continue;
-    }
     for (int f = 0; f < 4; ++f)
     {
-      if (isBoundary(tet.neighbour[f]) && tet.vertex[f] != v)
+      if (tet.vertex[f] != v && isBoundary(tet.neighbour[f]))
       {
+        cavity_.starredFaces.push_back(boundaryFaceOf(tet.neighbour[f]));
         const auto face = tet.face(f);
-        std::for_each(face.begin(), face.end(), add);
+        surfaceEnds_.insert(surfaceEnds_.end(), face.begin(), face.end());
       }
     }
+  }
+  if (rules_.classification.kind[v] == VertexKind::Ridge)
+  {
+    const auto ends = rules_.classification.ridges.at(v);
+    surfaceEnds_.assign(ends.begin(), ends.end());
   }
 }
 
@@ -101,84 +115,120 @@ bool VertexRemover::ridgeTurns(Index v) const
 
 double VertexRemover::floorFor(const RemovalLimits& limits) const
 {
-  double floor = limits.quality;
-  if (limits.keep > 0)
-  {
-    for (const Index t : ball_)
-    {
-      floor = std::min(floor, limits.keep * qualityOf(mesh_, t));
-    }
-  }
-  return floor;
+  return limits.keep > 0 ? std::min(limits.quality, limits.keep * link_.worst()) : limits.quality;
 }
 
-double VertexRemover::worstFrom(Index apex, double floor, const RemovalLimits& limits)
-{
-  return limits.growth == 0 ? cavity_.worstFrom(apex, floor) : cavity_.grow(apex, floor, limits.growth);
-}
-
-// The apexes that would do, each better than those before it.
-void VertexRemover::rankApexes(const RemovalLimits& limits)
+// The ends that would do, each better than those before it.
+void VertexRemover::rank(double floor, std::size_t growth)
 {
   candidates_.clear();
-  double floor = floorFor(limits);
-  if (limits.growth > 0)
+  for (const int end : ends_)
   {
-    constexpr std::size_t enough = 4; // growing costs much
-    keepPromisingApexes(floor, enough);
-  }
-  for (const Index apex : apexes_)
-  {
-    const double worst = worstFrom(apex, floor, limits);
+    const double worst = growth == 0 ? link_.worstFrom(end, floor) : link_.grow(end, floor, growth, rules_);
     if (worst > floor)
     {
-      candidates_.push_back({ apex, floor });
+      candidates_.push_back({ end, floor, worst });
       floor = worst;
     }
   }
 }
 
-// Keeps only the apexes that the fewest faces see badly.
-void VertexRemover::keepPromisingApexes(double floor, std::size_t enough)
+// Keeps only the ends that the fewest faces see badly.
+void VertexRemover::keepPromisingEnds(double floor, std::size_t enough)
 {
   ranking_.clear();
-  for (const Index apex : apexes_)
+  for (const int end : ends_)
   {
-    ranking_.emplace_back(cavity_.countPoor(apex, floor), apex);
+    ranking_.emplace_back(link_.countPoor(end, floor), end);
   }
   const std::size_t kept = std::min(enough, ranking_.size());
   std::partial_sort(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ranking_.end());
-  apexes_.resize(kept);
-  std::transform(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), apexes_.begin(),
+  ends_.resize(kept);
+  std::transform(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ends_.begin(),
     [](const auto& entry) { return entry.second; });
 }
 
-RemovalVerdict VertexRemover::tryApex(Index v, Index apex)
+RemovalVerdict VertexRemover::tryEnd(Index v, const Candidate& candidate, std::size_t growth)
 {
-  const Cavity& cavity = cavity_.cavity();
-  if (star_.check(cavity, apex) != StarVerdict::Possible)
+  if (growth > 0)
   {
-    return RemovalVerdict::NotStarrable;
+    link_.grow(candidate.end, candidate.floor, growth, rules_);
+    if (!link_.grownTets().empty() || !link_.grownStarred().empty())
+    {
+      return tryCavity(v, candidate);
+    }
   }
-  if (!losesOnlyMarked(v))
-  {
-    return RemovalVerdict::VertexLost;
-  }
-  if (isOverLarge(v, apex))
+  return tryCollapse(v, candidate);
+}
+
+RemovalVerdict VertexRemover::tryCollapse(Index v, const Candidate& candidate)
+{
+  const Index apex = link_.ends()[candidate.end];
+  if (collapseIsOverLarge(v, candidate.end))
   {
     return RemovalVerdict::OverLarge;
   }
-  if (!cavity.starredFaces.empty())
+  if (!canCollapse(mesh_, link_.ball(), v, apex) || !link_.allPositiveFrom(candidate.end))
   {
-    const RemovalVerdict verdict = surface_.judge(cavity.starredFaces, apex, v);
+    return RemovalVerdict::NotStarrable;
+  }
+  if (!cavity_.starredFaces.empty())
+  {
+    const RemovalVerdict verdict = surface_.judge(cavity_.starredFaces, apex, v);
     if (verdict != RemovalVerdict::Collapsed)
     {
       return verdict;
     }
   }
-  forgetLost(v, apex);
-  made_ = &star_.apply();
+  forget(v, apex);
+  collapse(mesh_, link_.ball(), v, apex);
+  made_.clear();
+  std::copy_if(link_.ball().begin(), link_.ball().end(), std::back_inserter(made_),
+    [this](Index t) { return mesh_.tet(t).isAlive(); });
+  worstMade_ = candidate.worst;
   return RemovalVerdict::Collapsed;
+}
+
+RemovalVerdict VertexRemover::tryCavity(Index v, const Candidate& candidate)
+{
+  const Index apex = link_.ends()[candidate.end];
+  const std::size_t starredAtV = cavity_.starredFaces.size();
+  const auto addTo = [](std::vector<Index>& all, const std::vector<Index>& more)
+  { all.insert(all.end(), more.begin(), more.end()); };
+  cavity_.tets = link_.ball();
+  addTo(cavity_.tets, link_.grownTets());
+  addTo(cavity_.starredFaces, link_.grownStarred());
+  RemovalVerdict verdict = RemovalVerdict::RemovedWithCavity;
+  if (star_.check(cavity_, apex) != StarVerdict::Possible)
+  {
+    verdict = RemovalVerdict::NotStarrable;
+  }
+  else if (!losesOnlyMarked(v))
+  {
+    verdict = RemovalVerdict::VertexLost;
+  }
+  else if (cavityIsOverLarge(v, apex))
+  {
+    verdict = RemovalVerdict::OverLarge;
+  }
+  else if (!cavity_.starredFaces.empty())
+  {
+    const RemovalVerdict ofSurface = surface_.judge(cavity_.starredFaces, apex, v);
+    verdict = ofSurface == RemovalVerdict::Collapsed ? verdict : ofSurface;
+  }
+  cavity_.starredFaces.resize(starredAtV);
+  if (verdict == RemovalVerdict::RemovedWithCavity)
+  {
+    absorbed_ += star_.lostVertices().size() - 1;
+    for (const Index lost : star_.lostVertices())
+    {
+      region_.isMarked[lost] = 0;
+    }
+    forget(v, apex);
+    made_ = star_.apply();
+    worstMade_ = candidate.worst;
+  }
+  return verdict;
 }
 
 // Points inside an enlarged cavity may go with v if they are to go anyway; ridge points go one by one.
@@ -191,12 +241,23 @@ bool VertexRemover::losesOnlyMarked(Index v) const
   return allMayGo && std::find(lost.begin(), lost.end(), v) != lost.end();
 }
 
-// An edge is too long if it is more than twice as long as the longest one that goes, and longer than
-// the region is thick by far.
-bool VertexRemover::isOverLarge(Index v, Index apex) const
+bool VertexRemover::collapseIsOverLarge(Index v, int end) const
 {
-  constexpr double byRegion = 2.5;
-  constexpr double byCavity = 2;
+  const auto places = link_.places();
+  double longest = 0;
+  double longestBefore = 0;
+  for (const Vector3& place : places)
+  {
+    const Vector3 edge = place - places[end];
+    longest = std::max(longest, dot(edge, edge));
+    longestBefore = std::max(longestBefore, dot(place, place));
+  }
+  longest = std::sqrt(longest);
+  return longest > farAsRegion * region_.reach[v] && longest > farAsBefore * std::sqrt(longestBefore);
+}
+
+bool VertexRemover::cavityIsOverLarge(Index v, Index apex) const
+{
   double longest = 0;
   for (const auto& tet : star_.newTets())
   {
@@ -205,12 +266,12 @@ bool VertexRemover::isOverLarge(Index v, Index apex) const
       longest = std::max(longest, distance(mesh_.point(tet[i]), mesh_.point(apex)));
     }
   }
-  if (longest <= byRegion * region_.reach[v])
+  if (longest <= farAsRegion * region_.reach[v])
   {
     return false;
   }
   double longestBefore = 0;
-  for (const Index t : cavity_.cavity().tets)
+  for (const Index t : cavity_.tets)
   {
     const auto& w = mesh_.tet(t).vertex;
     for (int i = 0; i < 4; ++i)
@@ -221,17 +282,13 @@ bool VertexRemover::isOverLarge(Index v, Index apex) const
       }
     }
   }
-  return longest > byCavity * longestBefore;
+  return longest > farAsBefore * longestBefore;
 }
 
-// Takes away the marks of the points that go, and joins the ridge that v leaves.
-void VertexRemover::forgetLost(Index v, Index apex)
+// Takes away v's mark, and joins the ridge that it leaves.
+void VertexRemover::forget(Index v, Index apex)
 {
-  for (const Index u : star_.lostVertices())
-  {
-    region_.isMarked[u] = 0;
-    absorbed_ += u != v;
-  }
+  region_.isMarked[v] = 0;
   if (rules_.classification.kind[v] != VertexKind::Ridge)
   {
     return;

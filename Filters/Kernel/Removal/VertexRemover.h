@@ -1,15 +1,14 @@
 // Takes single points out of a mesh, with the checks of section 6 of Loehner's paper.
 #pragma once
 
-#include "Improvement/GrowingCavity.h"
+#include "Boundary/BoundaryRules.h"
+#include "Improvement/VertexLink.h"
 #include "Mesh/Star.h"
-#include "Mesh/Traversal.h"
 #include "Removal/LayerRegion.h"
 #include "Removal/RemovalLimits.h"
 #include "Removal/RemovalVerdict.h"
 #include "Removal/SurfaceStar.h"
 
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,42 +30,46 @@ public:
 
   // Marked points that went with others' cavities.
   std::size_t absorbed() const { return absorbed_; }
-  // The tetrahedra made by the last successful removal.
-  const std::vector<Index>& made() const { return *made_; }
+  // The tetrahedra made by the last successful removal, and the worst quality among them.
+  const std::vector<Index>& made() const { return made_; }
+  double worstMade() const { return worstMade_; }
 
 private:
   struct Candidate
   {
-    Index apex;
-    double floor; // that it was judged with
+    int end; // local number in link_
+    double floor;
+    double worst; // quality if v went there
   };
 
-  void begin(Index v);
-  double floorFor(const RemovalLimits& limits) const;
-  void collectApexes(Index v);
+  void look(Index v);
+  void collectSurfaceEnds(Index v);
   bool ridgeTurns(Index v) const;
-  void rankApexes(const RemovalLimits& limits);
-  void keepPromisingApexes(double floor, std::size_t enough);
-  double worstFrom(Index apex, double floor, const RemovalLimits& limits);
-  RemovalVerdict tryApex(Index v, Index apex);
+  double floorFor(const RemovalLimits& limits) const;
+  void rank(double floor, std::size_t growth);
+  void keepPromisingEnds(double floor, std::size_t enough);
+  RemovalVerdict tryEnd(Index v, const Candidate& candidate, std::size_t growth);
+  RemovalVerdict tryCollapse(Index v, const Candidate& candidate);
+  RemovalVerdict tryCavity(Index v, const Candidate& candidate);
+  bool collapseIsOverLarge(Index v, int end) const;
+  bool cavityIsOverLarge(Index v, Index apex) const;
   bool losesOnlyMarked(Index v) const;
-  bool isOverLarge(Index v, Index apex) const;
-  void forgetLost(Index v, Index apex);
+  void forget(Index v, Index apex);
 
   TetMesh& mesh_;
   BoundaryRules& rules_;
   LayerRegion& region_;
   double cosine_;
   Star star_;
-  Traversal traversal_;
-  GrowingCavity cavity_;
+  VertexLink link_;
   SurfaceStar surface_;
-  Marks seen_;
-  std::vector<Index> ball_;
-  std::vector<Index> apexes_;
+  Cavity cavity_;
+  std::vector<Index> surfaceEnds_;
+  std::vector<int> ends_; // those to which v may go, by local number
   std::vector<Candidate> candidates_;
-  std::vector<std::pair<std::size_t, Index>> ranking_; // poor faces, apex
-  const std::vector<Index>* made_ = nullptr;
+  std::vector<std::pair<std::size_t, int>> ranking_; // poor faces, end
+  std::vector<Index> made_;
+  double worstMade_ = 0;
   std::size_t absorbed_ = 0;
 };
 } // namespace ransmesh

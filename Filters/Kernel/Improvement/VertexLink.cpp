@@ -1,0 +1,221 @@
+#include "Improvement/VertexLink.h"
+
+#include "Geometry/Predicates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ransmesh
+{
+void VertexLink::turnTo(Index v)
+{
+  if (++stamp_ == 0) // the stamps have been through: begin anew
+  {
+    seenTet_.clear();
+    numbers_.clear();
+    stamp_ = 1;
+  }
+  seenTet_.resize(std::max(seenTet_.size(), mesh_.tetSlots()), 0);
+  numbers_.resize(std::max(numbers_.size(), mesh_.vertexCount()));
+  centre_ = mesh_.point(v);
+  ends_.clear();
+  places_.clear();
+  faces_.clear();
+  grown_.clear();
+  starred_.clear();
+  collectBall(v);
+  endsAtV_ = ends_.size();
+}
+
+void VertexLink::collectBall(Index v)
+{
+  ball_.assign(1, mesh_.tetAt(v));
+  seenTet_[ball_.front()] = stamp_;
+  for (std::size_t i = 0; i < ball_.size(); ++i)
+  {
+    const Tetrahedron& tet = mesh_.tet(ball_[i]);
+    const int cornerOfV = tet.cornerOf(v);
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace other = tet.neighbour[f];
+      if (f != cornerOfV && !isBoundary(other) && seenTet_[tetOf(other)] != stamp_)
+      {
+        seenTet_[tetOf(other)] = stamp_;
+        ball_.push_back(tetOf(other));
+      }
+    }
+    addFace(tet, cornerOfV);
+  }
+}
+
+int VertexLink::localNumber(Index end)
+{
+  LocalNumber& local = numbers_[end];
+  if (local.stamp != stamp_)
+  {
+    local = { stamp_, static_cast<int>(ends_.size()) };
+    ends_.push_back(end);
+    places_.push_back(mesh_.point(end) - centre_);
+  }
+  return local.number;
+}
+
+// The face opposite to a corner.
+void VertexLink::addFace(const Tetrahedron& tet, int corner)
+{
+  Face face;
+  face.beyond = tet.neighbour[corner];
+  for (int j = 0; j < 3; ++j)
+  {
+    face.corner[j] = localNumber(tet.vertex[FaceCorners[corner][j]]);
+  }
+  const Vector3& a = places_[face.corner[0]];
+  const Vector3& b = places_[face.corner[1]];
+  const Vector3& c = places_[face.corner[2]];
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 bc = c - b;
+  face.normal = cross(ab, ac);
+  face.offset = dot(face.normal, a);
+  face.sum = a + b + c;
+  face.squares = dot(ab, ab) + dot(ac, ac) + dot(bc, bc) + dot(a, a) + dot(b, b) + dot(c, c);
+  faces_.push_back(face);
+}
+
+// The quality's square, with its sign.
+double VertexLink::signedSquare(const Face& face, const Vector3& apex, double squareOfApex)
+{
+  const double sixVolume = dot(face.normal, apex) - face.offset;
+  const double squares = face.squares + 3 * squareOfApex - 2 * dot(face.sum, apex); // of all six edges
+  constexpr double regular = 432; // that of the regular tetrahedron is 1
+  return regular * sixVolume * std::fabs(sixVolume) / (squares * squares * squares);
+}
+
+namespace
+{
+double signedRoot(double square)
+{
+  return square < 0 ? -std::sqrt(-square) : std::sqrt(square);
+}
+} // namespace
+
+double VertexLink::worst() const
+{
+  double worst = std::numeric_limits<double>::infinity();
+  for (const Face& face : faces_)
+  {
+    worst = std::min(worst, signedSquare(face, {}, 0));
+  }
+  return signedRoot(worst);
+}
+
+double VertexLink::worstFrom(int apex, double floor)
+{
+  undoGrowth();
+  const Vector3 place = places_[apex];
+  const double squareOfApex = dot(place, place);
+  const double floorSquare = floor * std::fabs(floor);
+  double worst = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+  {
+    const Face& face = faces_[i];
+    if (face.has(apex))
+    {
+      continue;
+    }
+    worst = std::min(worst, signedSquare(face, place, squareOfApex));
+    if (!(worst > floorSquare))
+    {
+      std::swap(faces_[i], faces_[i / 2]); // faces that refuse often are asked first
+      return floor;
+    }
+  }
+  return signedRoot(worst);
+}
+
+bool VertexLink::allPositiveFrom(int apex) const
+{
+  const Vector3& q = mesh_.point(ends_[apex]);
+  return std::all_of(faces_.begin(), faces_.end(),
+    [&](const Face& face)
+    {
+      const auto& c = face.corner;
+      return face.has(apex) ||
+        isPositive(mesh_.point(ends_[c[0]]), mesh_.point(ends_[c[1]]), mesh_.point(ends_[c[2]]), q);
+    });
+}
+
+std::size_t VertexLink::countPoor(int apex, double floor) const
+{
+  const Vector3 place = places_[apex];
+  const double squareOfApex = dot(place, place);
+  const double floorSquare = floor * std::fabs(floor);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ball_.size(); ++i)
+  {
+    count += !faces_[i].has(apex) && !(signedSquare(faces_[i], place, squareOfApex) > floorSquare);
+  }
+  return count;
+}
+
+void VertexLink::undoGrowth()
+{
+  for (const Index t : grown_)
+  {
+    seenTet_[t] = 0;
+  }
+  grown_.clear();
+  starred_.clear();
+  faces_.resize(ball_.size()); // one for each tetrahedron at v
+}
+
+void VertexLink::growBeyond(HalfFace face)
+{
+  const Index t = tetOf(face);
+  seenTet_[t] = stamp_;
+  grown_.push_back(t);
+  for (int f = 0; f < 4; ++f)
+  {
+    if (!isInside(mesh_.tet(t).neighbour[f]))
+    {
+      addFace(mesh_.tet(t), f);
+    }
+  }
+}
+
+double VertexLink::grow(int apex, double floor, std::size_t budget, const BoundaryRules& rules)
+{
+  undoGrowth();
+  const Vector3 place = places_[apex];
+  const double squareOfApex = dot(place, place);
+  const double floorSquare = floor * std::fabs(floor);
+  double worst = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+  {
+    const HalfFace beyond = faces_[i].beyond;
+    if (isInside(beyond) || faces_[i].has(apex))
+    {
+      continue;
+    }
+    const double square = signedSquare(faces_[i], place, squareOfApex);
+    if (square > floorSquare)
+    {
+      worst = std::min(worst, square);
+    }
+    else if (isBoundary(beyond) && rules.mayStar(mesh_.patchOf(beyond), ends_[apex]))
+    {
+      starred_.push_back(boundaryFaceOf(beyond));
+    }
+    else if (isBoundary(beyond) || grown_.size() >= budget)
+    {
+      return floor;
+    }
+    else
+    {
+      growBeyond(beyond);
+    }
+  }
+  return signedRoot(worst);
+}
+} // namespace ransmesh

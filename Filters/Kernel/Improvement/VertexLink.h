@@ -1,0 +1,92 @@
+// What is seen from a vertex: its ball with the outer faces in compact local numbers, so that many ways
+// to star it can be judged quickly.
+#pragma once
+
+#include "Boundary/BoundaryRules.h"
+#include "Mesh/TetMesh.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ransmesh
+{
+class VertexLink
+{
+public:
+  explicit VertexLink(const TetMesh& mesh)
+    : mesh_(mesh)
+  {
+  }
+
+  // Turns to vertex v, which must be used. What follows holds until the mesh changes there.
+  void turnTo(Index v);
+
+  // The tetrahedra at v.
+  const std::vector<Index>& ball() const { return ball_; }
+  // The other ends of the edges at v, numbered locally.
+  std::span<const Index> ends() const { return { ends_.data(), endsAtV_ }; }
+  // By local number: the ends as seen from v.
+  std::span<const Vector3> places() const { return { places_.data(), endsAtV_ }; }
+
+  // The worst quality (Geometry/TetrahedronMeasures.h) in the ball as it is.
+  double worst() const;
+  // The worst quality if v were collapsed onto the end with this local number; gives up, with floor or
+  // less, as soon as one tetrahedron is not better than floor. Rounded: exact positivity is for the
+  // caller to check.
+  double worstFrom(int apex, double floor);
+  // Whether all tetrahedra of that collapse are positive in exact arithmetic.
+  bool allPositiveFrom(int apex) const;
+  // How many tetrahedra of that collapse would be no better than floor.
+  std::size_t countPoor(int apex, double floor) const;
+
+  // The ball grows beyond every face that sees the apex no better than floor, by at most budget
+  // tetrahedra; boundary faces that see it so are starred where the rules allow it. Gives the worst
+  // quality then, or floor where that does not help. What was grown holds until the next grow or turn.
+  double grow(int apex, double floor, std::size_t budget, const BoundaryRules& rules);
+  const std::vector<Index>& grownTets() const { return grown_; }
+  const std::vector<Index>& grownStarred() const { return starred_; }
+
+private:
+  // The face of a tetrahedron of the ball opposite to v, as what six volumes and the squares of the
+  // edges of the tetrahedron from it to any place need.
+  struct Face
+  {
+    bool has(int end) const { return corner[0] == end || corner[1] == end || corner[2] == end; }
+
+    Vector3 normal; // twice the area
+    double offset;
+    Vector3 sum;               // of the corners' places
+    double squares;            // of the edges and of the corners' places
+    std::array<int, 3> corner; // local numbers
+    HalfFace beyond;
+  };
+  struct LocalNumber
+  {
+    std::uint32_t stamp = 0;
+    int number = 0;
+  };
+
+  void collectBall(Index v);
+  void addFace(const Tetrahedron& tet, int corner);
+  void undoGrowth();
+  void growBeyond(HalfFace face);
+  bool isInside(HalfFace h) const { return !isBoundary(h) && seenTet_[tetOf(h)] == stamp_; }
+  int localNumber(Index end);
+  static double signedSquare(const Face& face, const Vector3& apex, double squareOfApex);
+
+  const TetMesh& mesh_;
+  std::vector<Index> ball_;
+  std::vector<Index> ends_;
+  std::vector<Vector3> places_;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> seenTet_;
+  std::vector<LocalNumber> numbers_; // by vertex
+  std::vector<Index> grown_;
+  std::vector<Index> starred_;
+  std::size_t endsAtV_ = 0;
+  std::uint32_t stamp_ = 0;
+  Vector3 centre_;
+};
+} // namespace ransmesh
