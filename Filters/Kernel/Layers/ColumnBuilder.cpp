@@ -221,12 +221,14 @@ private:
     return seesAll ? StopReason::Complete : StopReason::Corner;
   }
 
-  // Walls that meet at a tensor corner have the same layers.
+  // Walls that meet at a tensor corner have the same layers. None is at a wake: a grid brings points to its
+  // walls, and the two sides of a wake must keep the same.
   bool aimTensor(
     const Surroundings& s, FaceRing& ring, const std::vector<Vector3>& sideNormals, Column& column)
   {
     const bool alike = std::all_of(s.walls.begin(), s.walls.end(),
-      [&](const FaceAtVertex& f) { return plan_[f.patch] == plan_[s.patch]; });
+      [&](const FaceAtVertex& f)
+      { return plan_[f.patch] == plan_[s.patch] && patches_[f.patch].type != PatchType::Wake; });
     TensorCorner corner;
     if (!alike || !findTensorCorner(column.base, mesh_, ring, sideNormals, corner))
     {
