@@ -16,6 +16,8 @@ constexpr Vector3 OddDirection{ 0.53, -0.31, 0.79 };
 constexpr double OddShare = 0.618;
 // Faces whose normals differ by less than this cosine (15 degrees) need no rays of their own.
 constexpr double SameNormal = 0.966;
+// Columns may come so near to a side that their neighbours stay in, as a share of the way: these lean with it.
+constexpr double ShareToSide = 0.6;
 // A face that the column hardly rises above does not limit it.
 constexpr double LeastRise = 0.3;
 
@@ -88,7 +90,8 @@ public:
       const double free = walk_.freeDistance(c.root, ray.direction, reach);
       if (free < reach)
       {
-        c.limit(levelBelow(set_, c, gapFraction_ * free / ray.rise), StopReason::Gap);
+        const double share = isSideOfNeighbour(walk_.patchHit()) ? ShareToSide : gapFraction_;
+        c.limit(levelBelow(set_, c, share * free / ray.rise), StopReason::Gap);
       }
     }
   }
@@ -152,6 +155,20 @@ private:
     const Vector3 over = normalized(mesh_.point(face.vertex[1]) - c.base) +
       OddShare * normalized(mesh_.point(face.vertex[2]) - c.base) + (c.sides[0] == 0 ? Vector3{} : lean);
     rays_.push_back({ normalized(face.normal + Lean * over), rise });
+  }
+
+  bool isSideOfNeighbour(int patch) const
+  {
+    return std::any_of(faces_.begin(), faces_.end(),
+      [&](const FaceAtVertex& face)
+      {
+        return std::any_of(face.vertex.begin() + 1, face.vertex.end(),
+          [&](Index v)
+          {
+            const Index c = set_.standingAt(v);
+            return c != None && set_.columns[c].staysIn(patch);
+          });
+      });
   }
 
   const TetMesh& mesh_;

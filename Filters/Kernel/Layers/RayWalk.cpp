@@ -8,6 +8,7 @@ namespace ransmesh
 double RayWalk::freeDistance(Index v, const Vector3& d, double reach)
 {
   const Vector3 from = mesh_.point(v);
+  patchHit_ = 0;
   HalfFace exit = firstExit(v, d);
   for (int steps = 0; steps < 10000 && exit != None; ++steps)
   {
@@ -19,6 +20,7 @@ double RayWalk::freeDistance(Index v, const Vector3& d, double reach)
     const HalfFace beyond = mesh_.tet(tetOf(exit)).neighbour[faceOf(exit)];
     if (isBoundary(beyond))
     {
+      patchHit_ = mesh_.patchOf(beyond);
       return s;
     }
     exit = exitFrom(beyond, from, d);

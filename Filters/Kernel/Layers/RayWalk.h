@@ -20,6 +20,8 @@ public:
   // still inside there. A ray that cannot be followed counts as free. Rays along edges or faces of the
   // mesh may be lost: let them lean a little.
   double freeDistance(Index v, const Vector3& d, double reach);
+  // The patch at which the last ray left the mesh; 0 if it did not.
+  int patchHit() const { return patchHit_; }
 
 private:
   bool passes(const std::array<Index, 3>& face, const Vector3& from, const Vector3& d) const;
@@ -30,5 +32,6 @@ private:
   const TetMesh& mesh_;
   Traversal traversal_;
   std::vector<Index> ball_;
+  int patchHit_ = 0;
 };
 } // namespace ransmesh

@@ -1,6 +1,7 @@
 #include "Bodies/Cases.h"
 
 #include "Bodies/Blocks.h"
+#include "Bodies/CurvedEnds.h"
 #include "Bodies/Junctions.h"
 #include "Bodies/Rounds.h"
 #include "Bodies/Sheets.h"
@@ -93,6 +94,18 @@ void addSharp(std::vector<Case>& cases)
   cases.push_back(plain("wing-fuselage", wingOnFuselage, junctions));
 }
 
+// Walls that run into curved patches.
+void addCurved(std::vector<Case>& cases)
+{
+  const Case shapes[] = { plain("capped-pipe", cappedPipe, junctions),
+    plain("half-dome", halfDome, junctions) };
+  for (const Case& shape : shapes)
+  {
+    cases.push_back(shape);
+    cases.push_back(thick(shape, "-thick1", 1));
+  }
+}
+
 void addGaps(std::vector<Case>& cases)
 {
   for (const char* share : { "2", "1", "0.5", "0.1" })
@@ -138,6 +151,7 @@ const std::vector<Case>& allCases()
     addSmooth(result);
     addCavities(result);
     addSharp(result);
+    addCurved(result);
     addGaps(result);
     return result;
   }();
