@@ -201,9 +201,7 @@ bool FrontMoves::mayLose(const Column& column, Index apex) const
       {
         return true;
       }
-      const auto patches = classes_.patchesAt(v);
-      return classes_.kind[v] == VertexKind::Surface && !classes_.frozen[v] && set_.ofVertex[v] == None &&
-        apex == column.vertex && patches.size() == 1 && column.staysIn(patches[0]);
+      return apex == column.vertex && set_.ofVertex[v] == None && sides_.mayLose(column, v);
     });
 }
 } // namespace ransmesh

@@ -48,7 +48,7 @@ bool SideStar::allowsStar(const Cavity& cavity, Index top, const std::vector<Ind
     const EdgeUse& edge = edges_[i];
     const bool shared =
       i + 1 < edges_.size() && edges_[i + 1].low == edge.low && edges_[i + 1].high == edge.high;
-    if (shared ? !mayVanish(edge, edges_[i + 1], top) : !rimAllows(edge, top))
+    if (shared ? !mayVanish(edge, edges_[i + 1], top, lost) : !rimAllows(edge, top))
     {
       return false;
     }
@@ -131,14 +131,47 @@ bool SideStar::rimAllows(const EdgeUse& rim, Index top) const
   return turns_.allows(now, faithfulnessBefore(rim.face));
 }
 
-bool SideStar::mayVanish(const EdgeUse& one, const EdgeUse& other, Index top) const
+bool SideStar::mayVanish(
+  const EdgeUse& one, const EdgeUse& other, Index top, const std::vector<Index>& lost) const
 {
-  if (one.low == top || one.high == top)
+  const auto goes = [&](Index v) { return v == top || std::find(lost.begin(), lost.end(), v) != lost.end(); };
+  if (goes(one.low) || goes(one.high))
   {
     return true;
   }
   return mesh_.boundaryFace(one.face).patch == mesh_.boundaryFace(other.face).patch &&
     !classes_.ridges.has(one.low, one.high);
+}
+
+bool SideStar::mayLose(const Column& column, Index vertex) const
+{
+  const auto patches = classes_.patchesAt(vertex);
+  const bool inSides =
+    std::all_of(patches.begin(), patches.end(), [&column](int p) { return column.staysIn(p); });
+  if (classes_.frozen[vertex] || !inSides)
+  {
+    return false;
+  }
+  if (classes_.kind[vertex] == VertexKind::Surface)
+  {
+    return patches.size() == 1;
+  }
+  return classes_.kind[vertex] == VertexKind::Ridge && column.sides[1] != 0 &&
+    ridgeGoesOn(column.vertex, vertex);
+}
+
+// Is the vertex the next one on the top's ridge, and does the ridge go on in the same direction without it?
+bool SideStar::ridgeGoesOn(Index top, Index vertex) const
+{
+  const auto ends = classes_.ridges.at(vertex);
+  const auto isBehind = [&](Index end) { return end == top || mesh_.tetAt(end) == None; };
+  if (ends.size() != 2 || isBehind(ends[0]) == isBehind(ends[1]))
+  {
+    return false;
+  }
+  const Vector3& ahead = mesh_.point(isBehind(ends[0]) ? ends[1] : ends[0]);
+  const double cosine = dot(normalized(ahead - mesh_.point(top)), normalized(ahead - mesh_.point(vertex)));
+  return turns_.allows(cosine, 1);
 }
 
 bool SideStar::keepsVertices(const std::vector<Index>& faces, Index top, const std::vector<Index>& lost) const

@@ -25,6 +25,10 @@ public:
   // With the top at its new place: do all these faces keep to the surface?
   bool allowsMove() const;
 
+  // May a star from the column's top take out this vertex of the boundary? Those of the column's own sides
+  // may go, and the next one on its ridge, if that turns the ridge no more than a surface may turn.
+  bool mayLose(const Column& column, Index vertex) const;
+
   // May the cavity's faces be replaced by triangles from their rim to the top? They must hang together
   // with those at the top, no patch edge and no ridge may vanish but at the top itself, no vertex may be
   // left inside the volume, and no triangle may turn away from the surface. lost: the vertices that go
@@ -48,7 +52,8 @@ private:
   double faithfulnessBefore(Index face) const;
   void collectEdges(const std::vector<Index>& faces);
   bool rimAllows(const EdgeUse& rim, Index top) const;
-  bool mayVanish(const EdgeUse& one, const EdgeUse& other, Index top) const;
+  bool mayVanish(const EdgeUse& one, const EdgeUse& other, Index top, const std::vector<Index>& lost) const;
+  bool ridgeGoesOn(Index top, Index vertex) const;
   bool hangTogether(const std::vector<Index>& faces, Index top) const;
   bool keepsVertices(const std::vector<Index>& faces, Index top, const std::vector<Index>& lost) const;
 

@@ -98,9 +98,10 @@ void addSharp(std::vector<Case>& cases)
 void addCurved(std::vector<Case>& cases)
 {
   const Case shapes[] = { plain("capped-pipe", cappedPipe, junctions),
-    plain("half-dome", halfDome, junctions) };
-  for (const Case& shape : shapes)
+    plain("half-dome", halfDome, junctions, 0.1) };
+  for (Case shape : shapes)
   {
+    shape.volumeChange = 0.02;
     cases.push_back(shape);
     cases.push_back(thick(shape, "-thick1", 1));
   }
