@@ -56,8 +56,9 @@ int vtkDirectionalEnrichment::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::enrich(mesh, ransmesh::patchesOfOpened(patches, sheets.patches, plan), plan, options,
-      ransmesh::makeContext(this), enriched);
+    const ransmesh::PatchTable seen = ransmesh::patchesOfOpened(patches, sheets.patches, plan);
+    outcome =
+      ransmesh::enrichOpened(mesh, sheets, seen, plan, options, ransmesh::makeContext(this), enriched);
   }
   if (outcome.ok())
   {

@@ -1,5 +1,7 @@
 #include "Insertion/EnrichedSheets.h"
 
+#include "Boundary/SheetFit.h"
+
 namespace ransmesh
 {
 namespace
@@ -18,6 +20,20 @@ std::vector<Index> keptValues(const std::vector<Index>& values, const std::vecto
   return kept;
 }
 } // namespace
+
+Outcome enrichOpened(const MeshData& input, const OpenedSheets& opened, const PatchTable& patches,
+  const LayerPlan& plan, const EnrichmentOptions& options, const Context& context, EnrichedMesh& result)
+{
+  Outcome outcome = enrich(input, patches, plan, options, context, result);
+  if (!outcome.ok() || !opened.any() || fitSheets(result.mesh, opened.patches))
+  {
+    return outcome;
+  }
+  context.remark("the two sides of a sheet were divided differently: no tensor-product grids on sheets");
+  EnrichmentOptions plain = options;
+  plain.gridsOnWakes = false;
+  return enrich(input, patches, plan, plain, context, result);
+}
 
 Outcome closeSheets(const OpenedSheets& opened, EnrichedMesh& enriched)
 {

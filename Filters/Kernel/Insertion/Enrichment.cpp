@@ -28,7 +28,7 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
   const EnrichmentOptions& options, const LevelCaps& caps)
 {
   const BoundaryStars stars(mesh);
-  ColumnSet set = buildColumns(mesh, stars, patches, plan);
+  ColumnSet set = buildColumns(mesh, stars, patches, plan, options.gridsOnWakes);
   limitByIsotropicSize(plan, set);
   followSides(mesh, stars, plan, options.gapFraction, set);
   limitByGap(mesh, stars, options.gapFraction, set);

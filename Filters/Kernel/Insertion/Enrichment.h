@@ -22,6 +22,7 @@ struct EnrichmentOptions
 {
   double gapFraction = defaults::gapFraction;                 // (0, 0.5]
   double maximumSurfaceAngle = defaults::maximumSurfaceAngle; // degrees, [0, 90]
+  bool gridsOnWakes = true; // whether patches of type wake may have tensor corners with other walls
 };
 
 // What became of one point of a wall.

@@ -137,12 +137,13 @@ std::vector<FaceAtVertex> carryingFaces(const Surroundings& s, const std::vector
 class ColumnMaker
 {
 public:
-  ColumnMaker(
-    const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, const LayerPlan& plan)
+  ColumnMaker(const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches,
+    const LayerPlan& plan, bool gridsOnWakes)
     : mesh_(mesh)
     , stars_(stars)
     , patches_(patches)
     , plan_(plan)
+    , gridsOnWakes_(gridsOnWakes)
   {
     for (const LayerSpecification& specification : plan)
     {
@@ -221,14 +222,17 @@ private:
     return seesAll ? StopReason::Complete : StopReason::Corner;
   }
 
-  // Walls that meet at a tensor corner have the same layers. None is at a wake: a grid brings points to its
-  // walls, and the two sides of a wake must keep the same.
+  // Walls that meet at a tensor corner have the same layers. Where the two sides of a wake would not come out
+  // alike, none is at a wake: a grid brings points to its walls.
   bool aimTensor(
     const Surroundings& s, FaceRing& ring, const std::vector<Vector3>& sideNormals, Column& column)
   {
     const bool alike = std::all_of(s.walls.begin(), s.walls.end(),
       [&](const FaceAtVertex& f)
-      { return plan_[f.patch] == plan_[s.patch] && patches_[f.patch].type != PatchType::Wake; });
+      {
+        const bool allowed = gridsOnWakes_ || patches_[f.patch].type != PatchType::Wake;
+        return allowed && plan_[f.patch] == plan_[s.patch];
+      });
     TensorCorner corner;
     if (!alike || !findTensorCorner(column.base, mesh_, ring, sideNormals, corner))
     {
@@ -260,14 +264,15 @@ private:
   const BoundaryStars& stars_;
   const PatchTable& patches_;
   const LayerPlan& plan_;
+  bool gridsOnWakes_;
   ColumnSet set_;
 };
 } // namespace
 
-ColumnSet buildColumns(
-  const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, const LayerPlan& plan)
+ColumnSet buildColumns(const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches,
+  const LayerPlan& plan, bool gridsOnWakes)
 {
-  return ColumnMaker(mesh, stars, patches, plan).run();
+  return ColumnMaker(mesh, stars, patches, plan, gridsOnWakes).run();
 }
 
 void settleDisagreements(const TetMesh& mesh, ColumnSet& set)

@@ -11,9 +11,9 @@ namespace ransmesh
 // stands on as well as possible (the most-visible normal), and laid into the adjoining patches that the
 // layers run into (symmetry, inflow ...): one makes a surface column, two make a ridge column. The step
 // is scaled so that the height above the wall faces is the level's. Where no direction serves, the
-// column has no levels and says why.
-ColumnSet buildColumns(
-  const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, const LayerPlan& plan);
+// column has no levels and says why. gridsOnWakes: whether patches of type wake may have tensor corners.
+ColumnSet buildColumns(const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches,
+  const LayerPlan& plan, bool gridsOnWakes = true);
 
 // A face that has a standing column for which its patch is not a side carries layers. Where its columns
 // disagree, they are dropped (StopReason::Corner), so that every face is the one or the other.

@@ -1,6 +1,7 @@
 // Layers on sheets: cut open, enriched, put together again.
 #include "Insertion/EnrichedSheets.h"
 
+#include "Boundary/SheetFit.h"
 #include "Insertion/EnrichmentChecks.h"
 #include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
@@ -39,7 +40,7 @@ protected:
     EXPECT_TRUE(openSheets(mesh, opened).ok());
     const PatchTable seen = patchesOfOpened(patches_, opened.patches, plan);
     EnrichedMesh enriched;
-    const Outcome outcome = enrich(mesh, seen, plan, {}, {}, enriched);
+    const Outcome outcome = enrichOpened(mesh, opened, seen, plan, {}, {}, enriched);
     EXPECT_TRUE(outcome.ok()) << outcome.message;
     EXPECT_TRUE(closeSheets(opened, enriched).ok());
     invariants::expectKept(mesh_, enriched.mesh, 1e-9);
@@ -50,6 +51,19 @@ protected:
       EXPECT_LT(v, static_cast<Index>(mesh_.points.size()));
     }
     return enriched;
+  }
+
+  // A fin on the floor of a box that lies along no axis, sheared.
+  void makeSkewFin(double shear)
+  {
+    patches_[5].type = PatchType::Wall;
+    mesh_ = grid_mesh::make({ 6, 6, 6 });
+    grid_mesh::addSheet(
+      mesh_, [](const Vector3& p) { return isAtHalf(p.x) && p.z < 0.5 && p.y > 0.17 && p.y < 0.83; });
+    for (Vector3& p : mesh_.points)
+    {
+      p = grid_mesh::turned({ p.x + shear * p.z, p.y, p.z });
+    }
   }
 
   // How many points of the sheet inside the box (grown by 1e-9) have complete columns on both
@@ -115,6 +129,17 @@ TEST_F(EnrichedSheets, AFinAndItsFloorHaveLayers)
   EXPECT_GE(fullPoints(enriched, { 0, 0.2, 0.1 }, { 1, 0.8, 0.4 }), 3 * 2);
 }
 
+TEST_F(EnrichedSheets, BothSidesOfAFinAreDividedAlike)
+{
+  for (const double shear : { 0.0, 0.3, -0.6, 1.5 })
+  {
+    makeSkewFin(shear);
+    const LayerPlan plan = enrichment_checks::planFor(8, { 5, 7 }, FirstHeight, Layers);
+    const EnrichedMesh enriched = run(plan);
+    EXPECT_GT(enriched.report.pointsInserted, 0u);
+  }
+}
+
 TEST_F(EnrichedSheets, ASheetWithoutLayersIsFrozen)
 {
   patches_[5].type = PatchType::Wall;
@@ -154,5 +179,74 @@ TEST_F(EnrichedSheets, RemovalKeepsBothSidesAlike)
     ASSERT_TRUE(outcome.ok()) << outcome.message;
     invariants::expectKept(before, after);
   }
+}
+
+// Sheets on whose sides new points came.
+class SheetFitting : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    mesh_ = grid_mesh::make({ 2, 2, 2 });
+    grid_mesh::addSheet(mesh_, [](const Vector3& p) { return isAtHalf(p.z); });
+    ASSERT_TRUE(openSheets(mesh_, opened_).ok());
+  }
+
+  // Divides the first triangle of that side by a point in its middle, which stands a little aside.
+  void divide(bool above, double aside)
+  {
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+    {
+      const auto v = mesh_.triangles[i];
+      const Vector3 middle = (1.0 / 3) * (mesh_.points[v[0]] + mesh_.points[v[1]] + mesh_.points[v[2]]);
+      const bool isAbove =
+        cross(mesh_.points[v[1]] - mesh_.points[v[0]], mesh_.points[v[2]] - mesh_.points[v[0]]).z < 0;
+      if (mesh_.trianglePatch[i] != 7 || isAbove != above || middle.x > 0.4 || middle.y > middle.x)
+      {
+        continue;
+      }
+      const auto point = static_cast<Index>(mesh_.points.size());
+      mesh_.points.push_back(middle + Vector3{ aside, 0, 0 });
+      mesh_.triangles[i] = { v[0], v[1], point };
+      mesh_.triangles.push_back({ v[1], v[2], point });
+      mesh_.triangles.push_back({ v[2], v[0], point });
+      mesh_.trianglePatch.insert(mesh_.trianglePatch.end(), 2, 7);
+      return;
+    }
+    FAIL() << "no triangle";
+  }
+
+  MeshData mesh_;
+  OpenedSheets opened_;
+};
+
+TEST_F(SheetFitting, EqualSidesStayAsTheyAre)
+{
+  const auto points = mesh_.points;
+  EXPECT_TRUE(fitSheets(mesh_, opened_.patches));
+  EXPECT_EQ(mesh_.points, points);
+}
+
+TEST_F(SheetFitting, NewPointsOfTheSecondSideMoveOntoThoseOfTheFirst)
+{
+  divide(true, 0);
+  divide(false, 1e-3);
+  EXPECT_TRUE(fitSheets(mesh_, opened_.patches));
+  EXPECT_TRUE(mesh_.points.back() == mesh_.points[mesh_.points.size() - 2]);
+}
+
+TEST_F(SheetFitting, SidesThatAreDividedDifferentlyDoNotFit)
+{
+  divide(true, 0);
+  const auto points = mesh_.points;
+  EXPECT_FALSE(fitSheets(mesh_, opened_.patches));
+  EXPECT_EQ(mesh_.points, points);
+}
+
+TEST_F(SheetFitting, PointsFarApartAreNotTheSame)
+{
+  divide(true, 0);
+  divide(false, 0.2);
+  EXPECT_FALSE(fitSheets(mesh_, opened_.patches));
 }
 } // namespace
