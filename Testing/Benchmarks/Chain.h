@@ -1,6 +1,8 @@
 // One case of the benchmarks: a surface, and what each stage makes of it, made when first asked for.
 #pragma once
 
+#include "BenchmarkCases.h"
+
 #include "Boundary/Patch.h"
 #include "Insertion/Enrichment.h"
 #include "Layers/LayerPlanning.h"
@@ -9,7 +11,6 @@
 
 #include <vtkSmartPointer.h>
 
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,15 +19,6 @@ class vtkPolyData;
 
 namespace ransmesh_benchmarks
 {
-struct CaseDescription
-{
-  std::string name;
-  std::function<vtkSmartPointer<vtkPolyData>()> surface; // nullptr: the case is left out
-  bool farField = false;
-  double firstHeight = 1e-5;
-  int layers = 25;
-};
-
 // Errors of stages are std::runtime_error here.
 class Chain
 {
@@ -35,12 +27,15 @@ public:
     : description_(std::move(description))
   {
   }
+  const CaseDescription& description() const { return description_; }
   const std::string& name() const { return description_.name; }
 
   // Each runs its stage on the result of the one before; that is kept, the stage's own result too.
   void mesh();
   ransmesh::RemovalResult remove(ransmesh::TetMesh& mesh) const;
   void enrich();
+  // The enrichment as a filter, with its conversions from and to VTK's grids; gives the processor seconds.
+  double runEnrichmentFilter();
 
   // Results of stages, which run first where they have not yet.
   const ransmesh::MeshData& isotropic();
@@ -52,8 +47,15 @@ public:
   const ransmesh::PatchTable& patches() const { return patches_; }
   const ransmesh::LayerPlan& plan() const { return plan_; }
 
-  // Points that the enrichment inserts in a second, kept for comparison.
-  double enrichmentRate = 0;
+  // Kept for comparison: points a second, and bytes a tetrahedron; 0: not measured.
+  struct Figures
+  {
+    double enrichmentRate = 0;
+    double filterRate = 0;
+    double cgalRate = 0;
+    double enrichmentBytes = 0;
+  };
+  Figures figures;
 
 private:
   vtkSmartPointer<vtkPolyData> surface();

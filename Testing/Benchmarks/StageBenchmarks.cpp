@@ -1,7 +1,7 @@
 // Prints, for each case, the speed and the memory of each stage, of TetGen on the same surface, and of
 // CGAL's Delaunay insertion of the same final points. Rates of stages in this process are by processor
 // time; TetGen's is by the processor time of its process.
-#include "BenchmarkSurfaces.h"
+#include "BenchmarkCases.h"
 #include "CgalInsertion.h"
 #include "Chain.h"
 #include "PeakMemory.h"
@@ -10,8 +10,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <ctime>
 #include <list>
+#include <vector>
 
 namespace
 {
@@ -82,25 +84,46 @@ void runRemoval(benchmark::State& state, Chain& chain)
   state.counters["tets"] = static_cast<double>(tets);
 }
 
+double median(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
 void runEnrichment(benchmark::State& state, Chain& chain)
 {
   chain.cleared();
   const PeakMemory memory;
-  const double begin = processorSeconds();
+  std::vector<double> seconds;
   for (auto _ : state)
   {
+    const double begin = processorSeconds();
     chain.enrich();
+    seconds.push_back(processorSeconds() - begin);
   }
-  const double seconds = (processorSeconds() - begin) / static_cast<double>(state.iterations());
   const ransmesh::EnrichmentReport& report = chain.enriched().report;
   const std::size_t tets = chain.enriched().mesh.tetrahedra.size();
   setBytesPerTet(state, memory.bytes(), tets);
-  setRate(state, "points/s", report.pointsInserted);
-  setRate(state, "tets/s", report.layerTets);
-  state.counters["points"] = static_cast<double>(report.pointsInserted);
+  const double inserted = static_cast<double>(report.pointsInserted);
+  state.counters["points/s"] = inserted / median(seconds);
+  state.counters["tets/s"] = static_cast<double>(report.layerTets) / median(seconds);
+  state.counters["points"] = inserted;
   state.counters["left"] = static_cast<double>(report.pointsRequested - report.pointsInserted);
   state.counters["tets"] = static_cast<double>(tets);
-  chain.enrichmentRate = static_cast<double>(report.pointsInserted) / std::max(seconds, 1e-9);
+  chain.figures.enrichmentRate = inserted / median(seconds);
+  chain.figures.enrichmentBytes = static_cast<double>(memory.bytes()) / static_cast<double>(tets);
+}
+
+void runFilter(benchmark::State& state, Chain& chain)
+{
+  const double inserted = static_cast<double>(chain.enriched().report.pointsInserted);
+  std::vector<double> seconds;
+  for (auto _ : state)
+  {
+    seconds.push_back(chain.runEnrichmentFilter());
+  }
+  state.counters["points/s"] = inserted / median(seconds);
+  chain.figures.filterRate = inserted / median(seconds);
 }
 
 void runCgal(benchmark::State& state, Chain& chain)
@@ -119,8 +142,8 @@ void runCgal(benchmark::State& state, Chain& chain)
   setRate(state, "tets/s", tets);
   state.counters["points"] = static_cast<double>(points.size());
   state.counters["tets"] = static_cast<double>(tets);
-  const double rate = static_cast<double>(points.size()) / std::max(seconds, 1e-9);
-  state.counters["enrichment/CGAL"] = chain.enrichmentRate / rate;
+  chain.figures.cgalRate = static_cast<double>(points.size()) / seconds;
+  state.counters["enrichment/CGAL"] = chain.figures.enrichmentRate / chain.figures.cgalRate;
 }
 
 void runQuality(benchmark::State& state, Chain& chain)
@@ -144,10 +167,22 @@ void runQuality(benchmark::State& state, Chain& chain)
 
 using Run = void (*)(benchmark::State&, Chain&);
 
-void add(const char* stage, Run run, Chain& chain, bool byWallClock)
+struct Stage
 {
-  auto* entry = benchmark::RegisterBenchmark((std::string(stage) + "/" + chain.name()).c_str(),
-    [run, &chain](benchmark::State& state)
+  const char* name;
+  Run run;
+  int repetitions;  // of which the middle one counts
+  bool byWallClock; // works in another process
+};
+
+constexpr Stage Stages[] = { { "Mesher", runMesher, 1, true }, { "Removal", runRemoval, 1, false },
+  { "Enrichment", runEnrichment, 5, false }, { "EnrichmentFilter", runFilter, 3, false },
+  { "CgalDelaunay", runCgal, 1, false }, { "Quality", runQuality, 1, false } };
+
+void add(const Stage& stage, Chain& chain)
+{
+  auto* entry = benchmark::RegisterBenchmark((std::string(stage.name) + "/" + chain.name()).c_str(),
+    [run = stage.run, &chain](benchmark::State& state)
     {
       try
       {
@@ -158,41 +193,46 @@ void add(const char* stage, Run run, Chain& chain, bool byWallClock)
         state.SkipWithError(error.what());
       }
     });
-  entry->Iterations(1)->Unit(benchmark::kMillisecond);
-  if (byWallClock)
+  entry->Iterations(stage.repetitions)->Unit(benchmark::kMillisecond);
+  if (stage.byWallClock)
   {
     entry->UseRealTime();
   }
 }
 
-void addCase(Chain& chain)
+// One line: the ratio that the enrichment is judged by.
+void printRatio(const Chain& chain)
 {
-  add("Mesher", runMesher, chain, true); // works in another process
-  add("Removal", runRemoval, chain, false);
-  add("Enrichment", runEnrichment, chain, false);
-  add("CgalDelaunay", runCgal, chain, false);
-  add("Quality", runQuality, chain, false);
+  const Chain::Figures& f = chain.figures;
+  if (f.enrichmentRate == 0 || f.cgalRate == 0)
+  {
+    return;
+  }
+  const double ratio = f.enrichmentRate / f.cgalRate;
+  std::printf("ratio %-13s %5.2f", chain.name().c_str(), ratio);
+  if (const double goal = chain.description().leastRatio; goal > 0)
+  {
+    std::printf(" (goal %g: %s)", goal, ratio >= goal ? "reached" : "missed");
+  }
+  std::printf(
+    ": enrichment %.3f M points/s, with conversions %.3f M, CGAL %.3f M; memory %.0f bytes/tetrahedron\n",
+    f.enrichmentRate / 1e6, f.filterRate / 1e6, f.cgalRate / 1e6, f.enrichmentBytes);
 }
 } // namespace
 
 int main(int argc, char** argv)
 {
   std::list<Chain> cases;
-  cases.emplace_back(CaseDescription{ "tiny", [] { return plate(8); }, false, 1e-4, 5 });
-  cases.emplace_back(CaseDescription{ "plate", [] { return plate(100); }, false });
-  cases.emplace_back(CaseDescription{ "sphere", [] { return sphere(5); }, true });
-  if (hullIsThere())
+  for (const CaseDescription& description : benchmarkCases())
   {
-    cases.emplace_back(CaseDescription{ "hull", hull, true });
-  }
-  else
-  {
-    std::printf("The case hull is left out: there is no %s (RANSMESHING_HULL names another file).\n",
-      hullFile().c_str());
+    cases.emplace_back(description);
   }
   for (Chain& chain : cases)
   {
-    addCase(chain);
+    for (const Stage& stage : Stages)
+    {
+      add(stage, chain);
+    }
   }
   std::vector<char*> arguments(argv, argv + argc);
   std::string tabular = "--benchmark_counters_tabular=true";
@@ -204,5 +244,6 @@ int main(int argc, char** argv)
     return 2;
   }
   benchmark::RunSpecifiedBenchmarks();
+  std::for_each(cases.begin(), cases.end(), printRatio);
   return 0;
 }
