@@ -7,12 +7,13 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/convex_hull_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 namespace bodies
 {
@@ -61,7 +62,9 @@ Frame randomFrame(Dice& dice)
   return { x, cross(z, x), z };
 }
 
-Solid hullOf(const std::vector<Vector3>& points)
+using Corners = std::vector<std::array<std::size_t, 3>>;
+
+Solid solidOf(const std::vector<Vector3>& points, const Corners& triangles)
 {
   std::vector<Kernel::Point_3> exact;
   for (const Vector3& p : points)
@@ -69,8 +72,7 @@ Solid hullOf(const std::vector<Vector3>& points)
     exact.emplace_back(p.x, p.y, p.z);
   }
   Solid solid;
-  CGAL::convex_hull_3(exact.begin(), exact.end(), solid);
-  Processing::triangulate_faces(solid);
+  Processing::polygon_soup_to_polygon_mesh(exact, triangles, solid);
   return solid;
 }
 
@@ -90,27 +92,70 @@ std::vector<Vector3> prism(Dice& dice, int corners)
   return points;
 }
 
-std::vector<Vector3> ball(Dice& dice)
+Corners facesOfPrism(std::size_t corners)
 {
-  std::vector<Vector3> points;
-  const double radius = dice.between(0.2, 0.6);
-  constexpr int count = 200;
-  for (int i = 0; i < count; ++i) // a spiral from pole to pole
+  Corners faces;
+  for (std::size_t i = 0; i < corners; ++i)
   {
-    const double z = 1 - (2 * i + 1.0) / count;
-    const double angle = i * M_PI * (3 - std::sqrt(5.0));
-    const double r = std::sqrt(1 - z * z);
-    points.push_back(radius * Vector3{ r * std::cos(angle), r * std::sin(angle), z });
+    const std::size_t next = (i + 1) % corners;
+    faces.push_back({ 2 * i, 2 * next, 2 * next + 1 });
+    faces.push_back({ 2 * i, 2 * next + 1, 2 * i + 1 });
+    if (i > 0 && next > 0)
+    {
+      faces.push_back({ 0, 2 * next, 2 * i });
+      faces.push_back({ 1, 2 * i + 1, 2 * next + 1 });
+    }
+  }
+  return faces;
+}
+
+// Rings of points around the axis, and the poles.
+std::vector<Vector3> ball(Dice& dice, std::size_t rings, std::size_t around)
+{
+  const double radius = dice.between(0.2, 0.6);
+  std::vector<Vector3> points = { { 0, 0, -radius }, { 0, 0, radius } };
+  for (std::size_t k = 1; k <= rings; ++k)
+  {
+    const double latitude = M_PI * (static_cast<double>(k) / static_cast<double>(rings + 1) - 0.5);
+    for (std::size_t i = 0; i < around; ++i)
+    {
+      const double angle =
+        2 * M_PI * (static_cast<double>(i) + 0.5 * static_cast<double>(k)) / static_cast<double>(around);
+      points.push_back(radius *
+        Vector3{
+          std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle), std::sin(latitude) });
+    }
   }
   return points;
+}
+
+Corners facesOfBall(std::size_t rings, std::size_t around)
+{
+  Corners faces;
+  for (std::size_t i = 0; i < around; ++i)
+  {
+    const std::size_t next = (i + 1) % around;
+    faces.push_back({ 0, 2 + next, 2 + i });
+    const std::size_t last = 2 + (rings - 1) * around;
+    faces.push_back({ 1, last + i, last + next });
+    for (std::size_t k = 0; k + 1 < rings; ++k)
+    {
+      const std::size_t low = 2 + k * around;
+      const std::size_t high = low + around;
+      faces.push_back({ low + i, low + next, high + i });
+      faces.push_back({ low + next, high + next, high + i });
+    }
+  }
+  return faces;
 }
 
 Solid randomPart(Dice& dice)
 {
   const int kind = dice.upTo(3);
-  std::vector<Vector3> points = kind == 0 ? prism(dice, 4)
-    : kind == 1                           ? prism(dice, 3 + dice.upTo(6))
-                                          : ball(dice);
+  const int corners = kind == 0 ? 4 : 3 + dice.upTo(6);
+  constexpr std::size_t rings = 9;
+  constexpr std::size_t around = 18;
+  std::vector<Vector3> points = kind < 2 ? prism(dice, corners) : ball(dice, rings, around);
   // Half of the parts stand parallel to each other: right angles and common planes are the hard cases.
   const Frame frame = dice.upTo(2) == 0 ? Frame{ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } : randomFrame(dice);
   const Vector3 place = dice.between(0, 0.5) * dice.direction();
@@ -118,7 +163,8 @@ Solid randomPart(Dice& dice)
   {
     p = frame(p) + place;
   }
-  return hullOf(points);
+  return solidOf(
+    points, kind < 2 ? facesOfPrism(static_cast<std::size_t>(corners)) : facesOfBall(rings, around));
 }
 
 void cut(Dice& dice, Solid& solid)
@@ -153,26 +199,45 @@ Solid randomSolid(Dice& dice)
   return solid;
 }
 
+// The points in order of coordinates, and the triangles in order of points: what CGAL gives comes in an order of its
+// own each time.
+void sortAll(ransmesh::SurfaceMesh& surface)
+{
+  const auto less = [](const Vector3& a, const Vector3& b)
+  { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::vector<Vector3> points = surface.points;
+  std::sort(points.begin(), points.end(), less);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  for (auto& t : surface.triangles)
+  {
+    for (ransmesh::Index& v : t)
+    {
+      v = static_cast<ransmesh::Index>(
+        std::lower_bound(points.begin(), points.end(), surface.points[v], less) - points.begin());
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  }
+  surface.points.swap(points);
+  std::sort(surface.triangles.begin(), surface.triangles.end());
+}
+
 ransmesh::SurfaceMesh toSurface(const Solid& solid)
 {
   ransmesh::SurfaceMesh surface;
-  for (const auto v : solid.vertices())
-  {
-    const auto& p = solid.point(v);
-    surface.points.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) });
-  }
   for (const auto face : solid.faces())
   {
-    std::array<ransmesh::Index, 3> corners{};
     auto side = solid.halfedge(face);
-    for (ransmesh::Index& corner : corners)
+    const auto first = static_cast<ransmesh::Index>(surface.points.size());
+    for (int i = 0; i < 3; ++i)
     {
-      corner = static_cast<ransmesh::Index>(std::size_t(solid.target(side)));
+      const auto p = CGAL::exact(solid.point(solid.target(side)));
+      surface.points.push_back({ CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()) });
       side = solid.next(side);
     }
-    surface.triangles.push_back(corners);
+    surface.triangles.push_back({ first, first + 1, first + 2 });
     surface.patch.push_back(1);
   }
+  sortAll(surface);
   return surface;
 }
 } // namespace
