@@ -5,6 +5,7 @@
 #include "Layers/LayerSpecification.h"
 #include "Mesh/TetMesh.h"
 
+#include <unordered_map>
 #include <vector>
 
 namespace ransmesh
@@ -12,13 +13,15 @@ namespace ransmesh
 struct LayerRegion
 {
   // Points that are to go, neighbours soon after each other: free ones, and those on surfaces and ridges of
-  // patches without layers. Points of walls, corners and frozen points never are.
+  // patches without layers. Corners and frozen points never are.
   std::vector<Index> marked;
   std::vector<char> isMarked; // by vertex
   // By marked vertex: the quality, at most 1, of a tetrahedron that reaches over the region from the wall
   // triangle nearby. Where the region is thick or the wall's triangles are stretched, no better can be
   // expected.
   std::vector<float> attainable;
+  // Of marked points on the surfaces of walls (Removal/CornerRegion.h): the wall's normal there.
+  std::unordered_map<Index, Vector3> wallNormal;
   // By marked vertex: how far the region reaches from its wall, a length scale of the elements to come.
   std::vector<float> reach;
 };

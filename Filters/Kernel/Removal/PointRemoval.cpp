@@ -1,11 +1,15 @@
 #include "Removal/PointRemoval.h"
 
+#include "Geometry/Angles.h"
+#include "Geometry/SpatialOrder.h"
 #include "Improvement/LocalImprovement.h"
 #include "Layers/LayerPlanning.h"
+#include "Removal/CornerRegion.h"
 #include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -31,6 +35,8 @@ constexpr RemovalLimits Passes[] = {
   { 0.02, 40, 40, 0.5 },
   { 0.02, 40, 40, 0.3 },
   { 0.02, 40, 40, 0.2 },
+  { 0.02, 40, 40, 0.1 },
+  { 0.02, 40, 40, 0.05 },
 };
 constexpr int LooseningFrom = 5; // pass
 constexpr int DrivingFrom = 7;
@@ -70,10 +76,13 @@ public:
     }
     if (result.outcome.ok())
     {
+      improveWalls(result);
       improve(result);
     }
     result.remaining = left;
     result.removed = result.marked - left.size();
+    result.remainingOnWalls = static_cast<std::size_t>(
+      std::count_if(left.begin(), left.end(), [this](Index v) { return region_.wallNormal.count(v) > 0; }));
     countOf(result.verdicts, RemovalVerdict::Absorbed) = remover_.absorbed();
   }
 
@@ -130,6 +139,7 @@ private:
     const double allowed = allowedAt(v);
     RemovalLimits limits = Passes[pass];
     limits.quality *= pass + 1 == PassCount ? allowed * allowed : allowed;
+    limits.wallAngle = pass < LooseningFrom ? 120 : pass < DrivingFrom ? 140 : 155;
     return limits;
   }
 
@@ -138,9 +148,11 @@ private:
     RemovalVerdict verdict = remover_.remove(v, limits);
     RemovalLimits plain = limits;
     plain.growth = 0;
+    const auto wall = region_.wallNormal.find(v);
+    const bool onWall = wall != region_.wallNormal.end();
     if (limits.cuts > 0 && region_.isMarked[v])
     {
-      valence_.begin(v, limits);
+      onWall ? valence_.beginOnWall(v, limits, wall->second) : valence_.begin(v, limits);
     }
     for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(); ++cut)
     {
@@ -151,7 +163,25 @@ private:
     {
       notePoor(remover_.made());
     }
+    if (!region_.isMarked[v] && onWall)
+    {
+      noteWallFaces(remover_.made());
+    }
     return verdict;
+  }
+
+  void noteWallFaces(const std::vector<Index>& made)
+  {
+    for (const Index t : made)
+    {
+      for (const HalfFace beyond : mesh_.tet(t).neighbour)
+      {
+        if (isBoundary(beyond) && !rules_.changeable[mesh_.patchOf(beyond)])
+        {
+          wallFaces_.push_back(boundaryFaceOf(beyond));
+        }
+      }
+    }
   }
 
   void notePoor(const std::vector<Index>& made)
@@ -190,6 +220,38 @@ private:
     }
   }
 
+  // Turns edges of the walls where that makes the largest angle of the triangles smaller.
+  void improveWalls(RemovalResult& result)
+  {
+    constexpr int rounds = 3;
+    const RemovalLimits limits{ 0.05, 0, 0, 0.5, 0 };
+    std::sort(wallFaces_.begin(), wallFaces_.end());
+    wallFaces_.erase(std::unique(wallFaces_.begin(), wallFaces_.end()), wallFaces_.end());
+    for (int round = 0; round < rounds; ++round)
+    {
+      for (const Index face : wallFaces_)
+      {
+        if (mesh_.boundaryFace(face).isAlive() && turnLongestEdge(face, limits))
+        {
+          ++result.swaps;
+          notePoor(valence_.made());
+        }
+      }
+    }
+  }
+
+  bool turnLongestEdge(Index face, const RemovalLimits& limits)
+  {
+    constexpr double large = 110; // degrees
+    const auto v = mesh_.boundaryVertices(face);
+    const Vector3& a = mesh_.point(v[0]);
+    const Vector3& b = mesh_.point(v[1]);
+    const Vector3& c = mesh_.point(v[2]);
+    const std::array<double, 3> opposite = { distance(b, c), distance(c, a), distance(a, b) };
+    const auto j = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
+    return largestAngle(a, b, c) > large && valence_.swapOnWall(v[(j + 1) % 3], v[(j + 2) % 3], limits, {});
+  }
+
   // Swaps away the poor tetrahedra that removal made, and those that the swaps made of them.
   void improve(RemovalResult& result)
   {
@@ -220,7 +282,8 @@ private:
   ValenceReduction valence_;
   Traversal traversal_;
   std::vector<Index> ball_;
-  std::vector<Index> poor_; // tetrahedra that were poor when they were made
+  std::vector<Index> wallFaces_; // made by removal of points of walls
+  std::vector<Index> poor_;      // tetrahedra that were poor when they were made
   double progress_ = 0;
 };
 
@@ -237,6 +300,18 @@ bool patchesAreKnown(const TetMesh& mesh, const PatchTable& patches)
   return true;
 }
 
+// Marks the points of walls in corners, too.
+void addCornerPoints(const std::vector<CornerPoint>& points, const TetMesh& mesh, LayerRegion& region)
+{
+  for (const CornerPoint& point : points)
+  {
+    region.marked.push_back(point.vertex);
+    region.isMarked[point.vertex] = 1;
+    region.reach[point.vertex] = static_cast<float>(point.reach);
+    region.wallNormal[point.vertex] = point.normal;
+  }
+  sortSpatially(mesh.points(), region.marked);
+}
 } // namespace
 
 std::string RemovalResult::text() const
@@ -258,6 +333,10 @@ RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const Layer
   context.report(0, "marking points");
   BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
   LayerRegion region = findLayerRegion(mesh, rules.classification, rules.changeable, plan, options.margin);
+  const std::vector<CornerPoint> corners =
+    findCornerPoints(mesh, rules.classification, rules.changeable, plan, options.cornerMargin);
+  addCornerPoints(corners, mesh, region);
+  result.markedOnWalls = corners.size();
   if (region.marked.empty())
   {
     return result;

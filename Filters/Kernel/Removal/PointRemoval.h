@@ -19,6 +19,8 @@ struct RemovalOptions
 {
   // How far beyond the layers points are taken out as well, times the size of the wall's triangles.
   double margin = 0.4;
+  // The same for points of walls in the layers of other walls, at concave ridges.
+  double cornerMargin = 0.35;
   // How far a boundary face may turn, degrees, 0 to 90.
   double maximumSurfaceAngle = defaults::maximumSurfaceAngle;
 };
@@ -26,10 +28,12 @@ struct RemovalOptions
 struct RemovalResult
 {
   Outcome outcome;
-  std::size_t marked = 0;       // points in the region that may go
-  std::size_t removed = 0;      // of these
-  std::vector<Index> remaining; // marked points that are still there, by their number in the mesh
-  RemovalTally verdicts{};      // of all attempts, many of which concern the same point
+  std::size_t marked = 0;           // points in the region that may go
+  std::size_t removed = 0;          // of these
+  std::vector<Index> remaining;     // marked points that are still there, by their number in the mesh
+  std::size_t markedOnWalls = 0;    // of all marked: points of walls, in the layers of another wall
+  std::size_t remainingOnWalls = 0; // of these
+  RemovalTally verdicts{};          // of all attempts, many of which concern the same point
   std::size_t movements = 0;
   std::size_t swaps = 0;
 
@@ -39,8 +43,8 @@ struct RemovalResult
 
 // Removes from the mesh what findLayerRegion marks. Points go by collapse onto the neighbour that leaves
 // the best quality, by starring an enlarged cavity, with limits that relax from pass to pass, and with
-// swaps and movement between. Points of walls stay, and so do corners and interfaces; points on other
-// patches go along their own surface or ridge. The mesh is valid at every moment, and stays so when the
+// swaps and movement between. Points of walls stay but for those in corners (Removal/CornerRegion.h), and so
+// do corners and interfaces; points on surfaces go along their own surface or ridge. The mesh is valid at every moment, and stays so when the
 // outcome is Cancelled. BadInput if a triangle's patch is missing in patches. The same input gives the
 // same result.
 RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,

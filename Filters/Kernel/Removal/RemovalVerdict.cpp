@@ -18,6 +18,8 @@ const char* nameOf(RemovalVerdict verdict)
       return "element too large";
     case RemovalVerdict::SurfaceTurned:
       return "surface turned";
+    case RemovalVerdict::PoorTriangle:
+      return "wall triangle too poor";
     case RemovalVerdict::RidgeLost:
       return "ridge lost";
     case RemovalVerdict::VertexLost:

@@ -1,5 +1,7 @@
 #include "Removal/SurfaceStar.h"
 
+#include "Geometry/Angles.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -70,6 +72,7 @@ bool SurfaceStar::meetsSurfaceAgain(std::span<const Index> faces, Index apex)
 RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
 {
   newEnds_.clear();
+  newBases_.clear();
   rimAtApex_.clear();
   for (std::size_t i = 0; i < edges_.size(); ++i)
   {
@@ -95,6 +98,7 @@ RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
     }
     else
     {
+      newBases_.push_back(edge.way);
       newEnds_.push_back(edge.low);
       newEnds_.push_back(edge.high);
     }
@@ -113,5 +117,31 @@ RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Inde
   std::erase_if(newEnds_,
     [this](Index v) { return std::find(rimAtApex_.begin(), rimAtApex_.end(), v) != rimAtApex_.end(); });
   return meetsSurfaceAgain(faces, apex) ? RemovalVerdict::SurfaceTurned : RemovalVerdict::Collapsed;
+}
+
+RemovalVerdict SurfaceStar::judgeShape(
+  std::span<const Index> faces, Index apex, const Vector3& normal, double angle) const
+{
+  double allowed = angle;
+  for (const Index b : faces)
+  {
+    const auto v = mesh_.boundaryVertices(b);
+    allowed = std::max(allowed, largestAngle(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2])));
+  }
+  const Vector3& top = mesh_.point(apex);
+  for (const auto& [from, to] : newBases_)
+  {
+    const Vector3& a = mesh_.point(from);
+    const Vector3& b = mesh_.point(to);
+    if (normal != Vector3{} && !(dot(normalOf(a, b, top), normal) >= cosine_))
+    {
+      return RemovalVerdict::SurfaceTurned;
+    }
+    if (largestAngle(a, b, top) > allowed)
+    {
+      return RemovalVerdict::PoorTriangle;
+    }
+  }
+  return RemovalVerdict::Collapsed;
 }
 } // namespace ransmesh

@@ -28,6 +28,13 @@ public:
   // Collapsed: they may. RidgeLost, SurfaceTurned: why not.
   RemovalVerdict judge(std::span<const Index> faces, Index apex, Index vanishing);
 
+  // The same faces of a wall, just judged: may they, as far as the shape of the triangles goes? Their
+  // largest angle (degrees) must not exceed the one given, unless it was as large before; they may not
+  // lie too far from the wall's normal (zero: where it has none).
+  // Collapsed: they may. PoorTriangle, SurfaceTurned: why not.
+  RemovalVerdict judgeShape(
+    std::span<const Index> faces, Index apex, const Vector3& normal, double angle) const;
+
 private:
   struct EdgeUse
   {
@@ -47,8 +54,9 @@ private:
   double cosine_;
   Traversal traversal_;
   std::vector<EdgeUse> edges_;
-  std::vector<Index> newEnds_;   // vertices that new edges join to the apex
-  std::vector<Index> rimAtApex_; // vertices that edges of the rim join to it already
+  std::vector<std::array<Index, 2>> newBases_; // edges of the rim that get a triangle
+  std::vector<Index> newEnds_;                 // vertices that new edges join to the apex
+  std::vector<Index> rimAtApex_;               // vertices that edges of the rim join to it already
   std::vector<Index> ball_;
 };
 } // namespace ransmesh

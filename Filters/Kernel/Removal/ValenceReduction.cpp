@@ -9,10 +9,36 @@ void ValenceReduction::begin(Index v, const RemovalLimits& limits)
 {
   vertex_ = v;
   limits_ = limits;
-  cuts_.clear();
+  onWall_ = false;
+  lookAtAllEdges();
+}
+
+void ValenceReduction::beginOnWall(Index v, const RemovalLimits& limits, const Vector3& normal)
+{
+  vertex_ = v;
+  limits_ = limits;
+  onWall_ = true;
+  wallNormal_ = normal;
+  lookAtAllEdges();
+}
+
+bool ValenceReduction::swapOnWall(Index v, Index end, const RemovalLimits& limits, const Vector3& normal)
+{
+  vertex_ = v;
+  limits_ = limits;
+  onWall_ = true;
+  wallNormal_ = normal;
   traversal_.ball(v, ball_);
+  const Cut cut = bestCut(tetWith(end), end);
+  return cut.apex != None && apply(cut);
+}
+
+void ValenceReduction::lookAtAllEdges()
+{
+  cuts_.clear();
+  traversal_.ball(vertex_, ball_);
   seen_.clear(mesh_.vertexCount());
-  seen_.set(v);
+  seen_.set(vertex_);
   for (const Index t : ball_)
   {
     for (const Index end : mesh_.tet(t).vertex)
@@ -62,7 +88,7 @@ bool ValenceReduction::beginAt(Index tet, Index end)
   cavity_.turnTo(ring_, { vertex_, end });
   const auto& starred = cavity_.cavity().starredFaces;
   return std::all_of(starred.begin(), starred.end(),
-    [this](Index b) { return rules_.changeable[mesh_.boundaryFace(b).patch] != 0; });
+    [this](Index b) { return onWall_ || rules_.changeable[mesh_.boundaryFace(b).patch] != 0; });
 }
 
 // Whether the surface stays where it is if it is starred from the apex: only a vertex of the faces that
@@ -126,6 +152,16 @@ ValenceReduction::Cut ValenceReduction::bestCut(Index tet, Index end)
   return best;
 }
 
+// Collapsed if the surface allows the cut, whose cavity has been turned to.
+RemovalVerdict ValenceReduction::judgeSurface(const Cut& cut)
+{
+  const auto& starred = cavity_.cavity().starredFaces;
+  const RemovalVerdict verdict = surface_.judge(starred, cut.apex, None);
+  return verdict == RemovalVerdict::Collapsed && onWall_
+    ? surface_.judgeShape(starred, cut.apex, wallNormal_, limits_.wallAngle)
+    : verdict;
+}
+
 bool ValenceReduction::apply(const Cut& cut)
 {
   beginAt(tetWith(cut.end), cut.end);
@@ -134,8 +170,7 @@ bool ValenceReduction::apply(const Cut& cut)
   {
     return false;
   }
-  if (!cavity.starredFaces.empty() &&
-    surface_.judge(cavity.starredFaces, cut.apex, None) != RemovalVerdict::Collapsed)
+  if (!cavity.starredFaces.empty() && judgeSurface(cut) != RemovalVerdict::Collapsed)
   {
     return false;
   }

@@ -28,10 +28,15 @@ public:
 
   // Turns to vertex v: looks at all its edges. Edges on the surface may go only where it may change.
   void begin(Index v, const RemovalLimits& limits);
+  // Turns to vertex v of a wall, whose surface may change here although it is a wall.
+  void beginOnWall(Index v, const RemovalLimits& limits, const Vector3& normal);
   // Takes out the edge at v that leaves the best quality, within the limits of quality. The valence of v
   // falls by one. False if no edge may go. Only the star of v may have changed since begin, and only by
   // this.
   bool cutEdge();
+
+  // Takes out the edge between two points of a wall, so that the other two points of its triangles meet.
+  bool swapOnWall(Index v, Index end, const RemovalLimits& limits, const Vector3& normal);
 
   // The tetrahedra made by the last successful cut.
   const std::vector<Index>& made() const { return *made_; }
@@ -44,6 +49,8 @@ private:
     double quality;
   };
 
+  void lookAtAllEdges();
+  RemovalVerdict judgeSurface(const Cut& cut);
   Cut bestCut(Index tet, Index end);
   bool beginAt(Index tet, Index end);
   bool maySee(Index apex) const;
@@ -65,6 +72,8 @@ private:
   std::vector<Cut> cuts_; // one for each edge at vertex_
   Index vertex_ = None;
   RemovalLimits limits_;
+  bool onWall_ = false;
+  Vector3 wallNormal_;
   const std::vector<Index>* made_ = nullptr;
 };
 } // namespace ransmesh

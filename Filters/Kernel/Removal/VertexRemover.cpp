@@ -3,6 +3,7 @@
 #include "Mesh/Collapse.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace ransmesh
@@ -39,11 +40,11 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
     constexpr std::size_t enough = 4; // growing costs much
     keepPromisingEnds(floor, enough);
   }
-  rank(floor, limits.growth);
+  rank(v, floor, limits.growth);
   RemovalVerdict verdict = RemovalVerdict::LowQuality;
   for (auto candidate = candidates_.rbegin(); candidate != candidates_.rend(); ++candidate)
   {
-    verdict = tryEnd(v, *candidate, limits.growth);
+    verdict = tryEnd(v, *candidate, limits);
     if (verdict == RemovalVerdict::Collapsed || verdict == RemovalVerdict::RemovedWithCavity)
     {
       break;
@@ -118,9 +119,10 @@ double VertexRemover::floorFor(const RemovalLimits& limits) const
   return limits.keep > 0 ? std::min(limits.quality, limits.keep * link_.worst()) : limits.quality;
 }
 
-// The ends that would do, each better than those before it.
-void VertexRemover::rank(double floor, std::size_t growth)
+// The ends that would do, the best one last. On surfaces all of them, as they may refuse for other reasons.
+void VertexRemover::rank(Index v, double floor, std::size_t growth)
 {
+  const bool inVolume = rules_.classification.kind[v] == VertexKind::Volume;
   candidates_.clear();
   for (const int end : ends_)
   {
@@ -128,8 +130,13 @@ void VertexRemover::rank(double floor, std::size_t growth)
     if (worst > floor)
     {
       candidates_.push_back({ end, floor, worst });
-      floor = worst;
+      floor = inVolume ? worst : floor;
     }
+  }
+  if (!inVolume)
+  {
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+      [](const Candidate& a, const Candidate& b) { return a.worst < b.worst; });
   }
 }
 
@@ -148,20 +155,34 @@ void VertexRemover::keepPromisingEnds(double floor, std::size_t enough)
     [](const auto& entry) { return entry.second; });
 }
 
-RemovalVerdict VertexRemover::tryEnd(Index v, const Candidate& candidate, std::size_t growth)
+RemovalVerdict VertexRemover::tryEnd(Index v, const Candidate& candidate, const RemovalLimits& limits)
 {
-  if (growth > 0)
+  if (limits.growth > 0)
   {
-    link_.grow(candidate.end, candidate.floor, growth, rules_);
+    link_.grow(candidate.end, candidate.floor, limits.growth, rules_);
     if (!link_.grownTets().empty() || !link_.grownStarred().empty())
     {
-      return tryCavity(v, candidate);
+      return tryCavity(v, candidate, limits.wallAngle);
     }
   }
-  return tryCollapse(v, candidate);
+  return tryCollapse(v, candidate, limits.wallAngle);
 }
 
-RemovalVerdict VertexRemover::tryCollapse(Index v, const Candidate& candidate)
+// Collapsed if the surface allows it.
+RemovalVerdict VertexRemover::judgeSurface(Index v, Index apex, double wallAngle)
+{
+  if (cavity_.starredFaces.empty())
+  {
+    return RemovalVerdict::Collapsed;
+  }
+  const RemovalVerdict verdict = surface_.judge(cavity_.starredFaces, apex, v);
+  const auto wall = region_.wallNormal.find(v);
+  return verdict == RemovalVerdict::Collapsed && wall != region_.wallNormal.end()
+    ? surface_.judgeShape(cavity_.starredFaces, apex, wall->second, wallAngle)
+    : verdict;
+}
+
+RemovalVerdict VertexRemover::tryCollapse(Index v, const Candidate& candidate, double wallAngle)
 {
   const Index apex = link_.ends()[candidate.end];
   if (collapseIsOverLarge(v, candidate.end))
@@ -172,13 +193,10 @@ RemovalVerdict VertexRemover::tryCollapse(Index v, const Candidate& candidate)
   {
     return RemovalVerdict::NotStarrable;
   }
-  if (!cavity_.starredFaces.empty())
+  const RemovalVerdict ofSurface = judgeSurface(v, apex, wallAngle);
+  if (ofSurface != RemovalVerdict::Collapsed)
   {
-    const RemovalVerdict verdict = surface_.judge(cavity_.starredFaces, apex, v);
-    if (verdict != RemovalVerdict::Collapsed)
-    {
-      return verdict;
-    }
+    return ofSurface;
   }
   forget(v, apex);
   collapse(mesh_, link_.ball(), v, apex);
@@ -189,7 +207,7 @@ RemovalVerdict VertexRemover::tryCollapse(Index v, const Candidate& candidate)
   return RemovalVerdict::Collapsed;
 }
 
-RemovalVerdict VertexRemover::tryCavity(Index v, const Candidate& candidate)
+RemovalVerdict VertexRemover::tryCavity(Index v, const Candidate& candidate, double wallAngle)
 {
   const Index apex = link_.ends()[candidate.end];
   const std::size_t starredAtV = cavity_.starredFaces.size();
@@ -211,9 +229,9 @@ RemovalVerdict VertexRemover::tryCavity(Index v, const Candidate& candidate)
   {
     verdict = RemovalVerdict::OverLarge;
   }
-  else if (!cavity_.starredFaces.empty())
+  else
   {
-    const RemovalVerdict ofSurface = surface_.judge(cavity_.starredFaces, apex, v);
+    const RemovalVerdict ofSurface = judgeSurface(v, apex, wallAngle);
     verdict = ofSurface == RemovalVerdict::Collapsed ? verdict : ofSurface;
   }
   cavity_.starredFaces.resize(starredAtV);

@@ -46,11 +46,12 @@ private:
   void collectSurfaceEnds(Index v);
   bool ridgeTurns(Index v) const;
   double floorFor(const RemovalLimits& limits) const;
-  void rank(double floor, std::size_t growth);
+  void rank(Index v, double floor, std::size_t growth);
   void keepPromisingEnds(double floor, std::size_t enough);
-  RemovalVerdict tryEnd(Index v, const Candidate& candidate, std::size_t growth);
-  RemovalVerdict tryCollapse(Index v, const Candidate& candidate);
-  RemovalVerdict tryCavity(Index v, const Candidate& candidate);
+  RemovalVerdict tryEnd(Index v, const Candidate& candidate, const RemovalLimits& limits);
+  RemovalVerdict tryCollapse(Index v, const Candidate& candidate, double wallAngle);
+  RemovalVerdict tryCavity(Index v, const Candidate& candidate, double wallAngle);
+  RemovalVerdict judgeSurface(Index v, Index apex, double wallAngle);
   bool collapseIsOverLarge(Index v, int end) const;
   bool cavityIsOverLarge(Index v, Index apex) const;
   bool losesOnlyMarked(Index v) const;

@@ -1,6 +1,7 @@
 #include "Removal/PointRemoval.h"
 
 #include "Boundary/Classification.h"
+#include "Geometry/Angles.h"
 #include "Improvement/LocalImprovement.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace
@@ -124,11 +126,72 @@ TEST_F(PointRemoval, WorksInAnyDirection)
 
 TEST_F(PointRemoval, ClearsCornersBetweenWalls)
 {
+  const double thickness = 0.15;
   const RemovalResult result =
-    remove(grid_mesh::make({ 10, 10, 10, {}, 0.2 }), planWith(0.15, { XLow, ZLow }));
+    remove(grid_mesh::make({ 10, 10, 10, {}, 0.2 }), planWith(thickness, { XLow, ZLow }));
   EXPECT_LE(result.remaining.size() * 200, result.marked) << result.text();
+  EXPECT_GT(result.markedOnWalls, 20u);
+  EXPECT_EQ(result.remainingOnWalls, 0u);
+  for (const Vector3& p : after_.points)
+  {
+    EXPECT_FALSE((p.x == 0 && p.z > 0 && p.z <= thickness) || (p.z == 0 && p.x > 0 && p.x <= thickness));
+  }
+}
+
+TEST_F(PointRemoval, LeavesWallsAsTheyAreUnderThinLayers)
+{
+  const RemovalResult result =
+    remove(grid_mesh::make({ 10, 10, 10, {}, 0.2 }), planWith(0.05, { XLow, ZLow }));
+  EXPECT_EQ(result.markedOnWalls, 0u);
   EXPECT_EQ(trianglesOf(before_, XLow), trianglesOf(after_, XLow));
   EXPECT_EQ(trianglesOf(before_, ZLow), trianglesOf(after_, ZLow));
+}
+
+// The largest angle of the triangles of a patch.
+double largestAngleOf(const MeshData& mesh, int patch)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+  {
+    const auto& t = mesh.triangles[i];
+    if (mesh.trianglePatch[i] == patch)
+    {
+      largest = std::max(largest, largestAngle(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]));
+    }
+  }
+  return largest;
+}
+
+TEST_F(PointRemoval, MakesRoomInCavitiesOfSixWalls)
+{
+  for (const double sizes : { 1.0, 2.0 })
+  {
+    const RemovalResult result = remove(
+      grid_mesh::make({ 12, 12, 12, grid_mesh::turned, 0.2 }), planWith(sizes / 12, { 1, 2, 3, 4, 5, 6 }));
+    EXPECT_LE(result.remaining.size() * 1000, result.marked) << result.text();
+    EXPECT_GT(result.markedOnWalls, 200u);
+    EXPECT_EQ(result.remainingOnWalls, 0u);
+    for (int patch = 1; patch <= 6; ++patch)
+    {
+      EXPECT_LT(largestAngleOf(after_, patch), 150) << "patch " << patch;
+    }
+  }
+}
+
+TEST_F(PointRemoval, DoesNotTurnCurvedWallsTooFar)
+{
+  // The floor is a wave that meets the wall XLow: its points may only go where that does not flatten it.
+  const auto wave = [](const Vector3& p) {
+    return Vector3{ p.x, p.y, p.z + 0.05 * (1 - p.z) * std::sin(9 * p.y) };
+  };
+  const MeshData data = grid_mesh::make({ 12, 12, 12, wave, 0.1 });
+  TetMesh mesh = invariants::build(data);
+  const RemovalResult result = removePoints(mesh, patches_, planWith(0.2, { XLow, ZLow }), {}, {});
+  invariants::expectValid(mesh);
+  EXPECT_GT(result.markedOnWalls, 20u);
+  const auto areas = invariants::patchAreas(toMeshData(mesh));
+  const auto before = invariants::patchAreas(data);
+  EXPECT_NEAR(areas.at(ZLow), before.at(ZLow), 0.01 * before.at(ZLow)) << result.text();
 }
 
 TEST_F(PointRemoval, LeavesOnlyTheWallsInAGapThatLayersFill)
