@@ -7,7 +7,7 @@ namespace ransmesh
 {
 namespace
 {
-constexpr double LargestSlope = 1.0;
+constexpr double LargestSlope = 0.7;
 } // namespace
 
 int levelBelow(const ColumnSet& set, const Column& column, double height)
@@ -36,14 +36,46 @@ void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)
   }
 }
 
+namespace
+{
+// Limits columns where the wall ends: beside them the front comes down to the bare surface.
+void limitAtWallEnds(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& set)
+{
+  for (Column& c : set.columns)
+  {
+    for (const Index face : stars.facesAt(c.root))
+    {
+      if (c.levels == 0 || c.staysIn(mesh.boundaryFace(face).patch))
+      {
+        continue;
+      }
+      for (const Index v : mesh.boundaryVertices(face))
+      {
+        const double allowed = LargestSlope * distance(c.base, mesh.point(v));
+        if (set.ofVertex[v] == None && set.thickness(c) > allowed)
+        {
+          c.limit(levelBelow(set, c, allowed), StopReason::Transition);
+        }
+      }
+    }
+  }
+}
+} // namespace
+
 void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& set)
 {
+  limitAtWallEnds(mesh, stars, set);
+  double highest = 0;
+  for (const Column& c : set.columns)
+  {
+    highest = std::max(highest, set.thickness(c));
+  }
   // Lowest first, so that each column is settled when its turn comes (as Dijkstra's shortest paths).
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
-    if (set.columns[i].levels < set.columns[i].asked)
+    if (set.thickness(set.columns[i]) < highest)
     {
       queue.emplace(set.thickness(set.columns[i]), static_cast<Index>(i));
     }
@@ -57,7 +89,7 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
     {
       continue;
     }
-    for (const Index face : stars.facesAt(c.vertex))
+    for (const Index face : stars.facesAt(c.root))
     {
       for (const Index v : mesh.boundaryVertices(face))
       {

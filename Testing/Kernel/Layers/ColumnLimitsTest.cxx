@@ -83,3 +83,56 @@ TEST(ColumnLimits, NeighboursOfALowColumnStepDown)
   }
   EXPECT_EQ(channel.middle().levels, 20);
 }
+
+namespace
+{
+// A floor whose half at x < 0.5 is a patch of its own, with 20 levels of 0.01 on the rest.
+struct SplitFloor
+{
+  TetMesh mesh;
+  LayerPlan plan;
+  ColumnSet set;
+
+  explicit SplitFloor(int layersOnHalf)
+    : plan(8)
+  {
+    const auto split = [](Side side, const Vector3& middle)
+    { return side == ZLow && middle.x < 0.5 ? 7 : static_cast<int>(side); };
+    EXPECT_TRUE(buildTetMesh(make({ 20, 4, 4 }, split), mesh).ok());
+    plan[ZLow].firstHeight = 0.01;
+    plan[ZLow].growthRate = 1;
+    plan[ZLow].numberOfLayers = 20;
+    plan[7] = plan[ZLow];
+    plan[7].firstHeight = 0.001;
+    plan[7].numberOfLayers = layersOnHalf;
+    set = buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry, 7), plan);
+    limitBySlope(mesh, BoundaryStars(mesh), set);
+  }
+
+  // Heights fall towards the border, from all 20 levels to the height there.
+  void expectRamp(double atBorder) const
+  {
+    for (const Column& c : set.columns)
+    {
+      if (c.patch == ZLow)
+      {
+        const double thickness = set.thickness(c);
+        const double allowed = atBorder + 0.7 * (c.base.x - 0.5) + 1e-12;
+        EXPECT_LE(thickness, allowed);
+        EXPECT_GT(thickness, std::min(0.2, allowed) - 0.04) << c.base.x; // a level for each edge of the way
+        EXPECT_EQ(c.reason, c.levels < 20 ? StopReason::Transition : StopReason::Complete);
+      }
+    }
+  }
+};
+} // namespace
+
+TEST(ColumnLimits, ATallWallStepsDownToALowOne)
+{
+  SplitFloor(10).expectRamp(0.01);
+}
+
+TEST(ColumnLimits, ATallWallStepsDownToItsEnd)
+{
+  SplitFloor(0).expectRamp(0.7 * 0.05);
+}
