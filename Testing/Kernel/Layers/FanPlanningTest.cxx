@@ -89,7 +89,7 @@ Wall ridge(double angle)
 // Edges down the axes' other halves: the corner of a cube.
 Wall cubeCorner()
 {
-  return { { { -1, 0, 0 }, { 0, 0, -1 }, { 0, -1, 0 } }, { 0.2, 0.2, 0.2 } };
+  return { { { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } }, { 0.2, 0.2, 0.2 } };
 }
 
 // A cone that points up; its flank falls at the angle.
