@@ -241,14 +241,27 @@ TEST_F(MesherSheets, SheetsThatCrossAreAnError)
   EXPECT_SAYS(this->Error(), "the sheet 'wake_2' cuts or touches 'wake_1'");
 }
 
-TEST_F(MesherSheets, ASheetOutOfTheBoxIsAnError)
+TEST_F(MesherSheets, WhatReachesOutOfTheBoxIsCutOff)
+{
+  this->Mesher->AddInputDataObject(TestSurfaces::Sphere(1, 16));
+  this->Mesher->FarFieldOn();
+  this->Mesher->SetFarFieldMargins(2, 2, 2, 2, 2, 2);
+  this->Mesher->AddSheetData(Flat({ 2, -1, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, 7, 4));
+  this->Run();
+  double bounds[6];
+  this->Mesher->GetOutput()->GetBounds(bounds);
+  EXPECT_NEAR(this->SheetArea["wake"], 2 * (bounds[1] - 2), 1e-9);
+  EXPECT_SAYS(this->Warnings, "triangles cut off at the far-field box of sheets");
+}
+
+TEST_F(MesherSheets, ASheetOutsideTheBoxIsAnError)
 {
   this->Mesher->AddInputDataObject(TestSurfaces::Cube(-1, 1));
   this->Mesher->FarFieldOn();
   this->Mesher->SetFarFieldMargins(2, 2, 2, 2, 2, 2);
-  this->Mesher->AddSheetData(Flat({ 2, -1, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, 4, 4));
+  this->Mesher->AddSheetData(Flat({ 7, -1, 0 }, { 4, 0, 0 }, { 0, 2, 0 }, 4, 4));
   const std::string error = this->Error();
-  EXPECT_SAYS(error, "the sheet 'wake' reaches out of the far-field box, whose side lies at x = 5, at (6,");
+  EXPECT_SAYS(error, "all sheets ('wake' and what follows) lie outside the far-field box");
   EXPECT_SAYS(error, "FarFieldMargins");
 }
 

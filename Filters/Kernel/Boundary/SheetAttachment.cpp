@@ -1,5 +1,6 @@
 #include "Boundary/SheetAttachment.h"
 
+#include "Boundary/SheetCutting.h"
 #include "Boundary/SurfaceEdges.h"
 #include "Boundary/SurfaceIntersections.h"
 #include "Boundary/SurfaceRepair.h"
@@ -140,30 +141,15 @@ private:
     mergeEqualPoints(sheets);
   }
 
-  Outcome fitIntoBox(SurfaceMesh& sheets, const Extent& box) const
+  Outcome fitIntoBox(SurfaceMesh& sheets, const Extent& box)
   {
-    for (std::size_t t = 0; t < sheets.triangles.size(); ++t)
-    {
-      for (const Index v : sheets.triangles[t])
-      {
-        Vector3& p = sheets.points[v];
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          for (const double side : { box.low[axis], box.high[axis] })
-          {
-            p[axis] = std::fabs(p[axis] - side) <= tolerance_ ? side : p[axis];
-          }
-          if (p[axis] < box.low[axis] || p[axis] > box.high[axis])
-          {
-            return Outcome::badInput("the sheet '" + patches_[sheets.patch[t]].name +
-              "' reaches out of the far-field box, whose side lies at " + "xyz"[axis] + " = " +
-              textOf(p[axis] < box.low[axis] ? box.low[axis] : box.high[axis]) + ", at " + placeOf(p) +
-              ": cut it off there, or enlarge FarFieldMargins");
-          }
-        }
-      }
-    }
-    return Outcome::done();
+    const std::string name = sheets.patch.empty() ? "" : patches_[sheets.patch[0]].name;
+    note(cutByBox(sheets, box, tolerance_), "triangles cut off at the far-field box");
+    mergeEqualPoints(sheets);
+    return !sheets.triangles.empty() || name.empty()
+      ? Outcome::done()
+      : Outcome::badInput("all sheets ('" + name +
+          "' and what follows) lie outside the far-field box: check their place, or enlarge FarFieldMargins");
   }
 
   void weld(const SurfaceMesh& sheets)

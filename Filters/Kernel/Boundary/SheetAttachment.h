@@ -12,11 +12,11 @@ namespace ransmesh
 inline constexpr double SheetTolerance = 1e-6;
 
 // Adds the sheets (open surfaces) to a closed surface that mendAndCheck has passed. Points of sheets within
-// SheetTolerance of a point of the surface, or of another sheet, become that point; those as near to a side
-// of the box, if there is one, are put exactly on it. Collapsed, flat and repeated triangles of sheets are
+// SheetTolerance of a point of the surface, or of another sheet, become that point; what reaches
+// out of the box, if there is one, is cut off (SheetCutting.h). Collapsed, flat and repeated triangles of sheets are
 // mended as those of surfaces are. BadInput, with findings about the surface as it is then, where a sheet
 // - has coordinates that are not finite, or triangles without area;
-// - reaches out of the box;
+// - lies outside the box;
 // - cuts or touches a surface or a sheet elsewhere than in common points and edges.
 SurfaceVerdict attachSheets(
   SurfaceMesh& surface, SurfaceMesh sheets, const PatchTable& patches, const std::optional<Extent>& box);
