@@ -59,12 +59,14 @@ def all_rows(args):
     return [row for row in rows if any(fnmatch.fnmatch(row[0], p) for p in args.cases or ["*"])]
 
 
-def judge(referee, mesh, result):
+def judge(referee, name, mesh, result):
     """The referee's report, or nothing."""
     report = mesh.with_suffix(".judged.json")
     command = ["/usr/bin/python3", referee, str(mesh), "--walls", ",".join(map(str, result["walls"])),
                "--first-height", repr(result["first_height"]), "--layers", str(result["layers"]),
                "--growth", repr(result["growth"]), "--json", str(report)]
+    if "rhomb" in name:  # columns lean along the corner's own, by 30 degrees
+        command += ["--cone", "35"]
     if result["sheets"]:
         command += ["--internal", ",".join(map(str, result["sheets"]))]
     subprocess.run(command, capture_output=True, check=False)
@@ -119,7 +121,7 @@ def run_row(args, folder, name, options, goals):
     if not program.stdout.strip():
         return (name, "", f"**failed: {program.stderr.strip()[:300] or program.returncode}**") + ("",) * 10
     result = json.loads(program.stdout)
-    judged = judge(args.referee, mesh, result) if args.referee else {}
+    judged = judge(args.referee, name, mesh, result) if args.referee else {}
     if not args.keep:
         mesh.unlink()
     return row_of(name, result, judged, goals)
