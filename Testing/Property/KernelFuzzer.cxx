@@ -1,4 +1,6 @@
-// The kernel's operators under libFuzzer (clang, -DRANSMESHING_BUILD_FUZZER=ON):
+// The kernel's operators under libFuzzer:
+//   cmake -DCMAKE_CXX_COMPILER=clang++ -DRANSMESHING_BUILD_FUZZER=ON
+//     -DRANSMESHING_SANITIZERS=address,undefined,fuzzer-no-link ...
 //   bin/ransmesh-kernel-fuzzer -max_len=2000 CORPUS_FOLDER
 #include "KernelDriver.h"
 
