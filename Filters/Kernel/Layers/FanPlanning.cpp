@@ -50,9 +50,11 @@ public:
     {
       groups_ = aimed(tipGroups());
     }
-    const bool sees = std::all_of(
-      groups_.begin(), groups_.end(), [this](const Group& g) { return visibilityOf(g) > LeastVisibility; });
-    if (groups_.size() < 2 || !sees)
+    if (leastVisibility(groups_) < LeastVisibility)
+    {
+      groups_ = bestHalves();
+    }
+    if (groups_.size() < 2 || leastVisibility(groups_) < LeastVisibility)
     {
       return false;
     }
@@ -89,6 +91,34 @@ private:
       { return std::floor(parts * turned[i] / total) != std::floor(parts * turned[i + 1] / total); });
   }
 
+  // Parts the faces in two where both columns see theirs best: for the end of an edge that is too sharp for
+  // one column, in a wall that has no second edge there.
+  std::vector<Group> bestHalves()
+  {
+    std::vector<Group> best;
+    double most = 0;
+    const std::size_t edges = ring_.edgeCount();
+    const FaceRing ring = ring_;
+    FaceRing bestRing = ring_;
+    for (std::size_t i = 0; i < edges; ++i)
+    {
+      for (std::size_t j = ring.closed ? i + 1 : i; j < (ring.closed ? edges : i + 1); ++j)
+      {
+        ring_ = ring;
+        std::vector<Group> halves =
+          aimed(splitRing(ring_, [i, j](std::size_t edge) { return edge == i || edge == j; }));
+        if (const double least = leastVisibility(halves); halves.size() == 2 && least > most)
+        {
+          most = least;
+          best = std::move(halves);
+          bestRing = ring_;
+        }
+      }
+    }
+    ring_ = bestRing;
+    return best;
+  }
+
   std::vector<Group> aimed(const std::vector<FaceGroup>& parts) const
   {
     std::vector<Group> groups;
@@ -101,6 +131,15 @@ private:
   }
 
   double visibilityOf(const Group& g) const { return visibility(normalsOf(g.faces.of(ring_)), g.direction); }
+  double leastVisibility(const std::vector<Group>& groups) const
+  {
+    double least = 1;
+    for (const Group& g : groups)
+    {
+      least = std::min(least, visibilityOf(g));
+    }
+    return least;
+  }
   Vector3 stepOf(const Group& g) const { return scaledStep(g.faces.of(ring_), g.direction); }
 
   // The edge behind a group, from the point on.

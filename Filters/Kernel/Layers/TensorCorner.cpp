@@ -14,8 +14,8 @@ constexpr double Degree = std::numbers::pi / 180;
 // Walls that turn less than this into each other are one; beyond the other bound the grid is too skew.
 constexpr double LeastTurn = 30 * Degree;
 constexpr double LargestTurn = 140 * Degree;
-// Faces of one wall differ at most so much from its mean normal.
-constexpr double WallCosine = 0.93; // 21 degrees
+// Faces of one wall differ at most so much from its mean normal: more would change its shape.
+constexpr double WallCosine = 0.985; // 10 degrees
 // The walls' normals enclose at least so much volume.
 constexpr double LeastDeterminant = 0.3;
 

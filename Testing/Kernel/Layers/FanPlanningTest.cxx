@@ -210,6 +210,19 @@ TEST(FanPlanning, ATipWithoutSharpEdgesIsParted)
   EXPECT_GT(planned.main.z, 0.9);
 }
 
+TEST(FanPlanning, AnEdgeThatEndsInAWallPartsItsFaces)
+{
+  // A fin of hardly any thickness stands on a floor; its free edge rises from the point.
+  const Wall wall(
+    { { 0, 0, 1 }, { 1, 1e-6, 0 }, { 0.5, 1, 0 }, { -1, 0, 0 }, { 0.5, -1, 0 }, { 1, -1e-6, 0 } },
+    { -0.3, 0, 0.3 });
+  const Planned planned(wall);
+  ASSERT_TRUE(planned.isFan);
+  EXPECT_FALSE(planned.fan.aroundMain);
+  EXPECT_GT(planned.fan.directions[0].y * planned.main.y, -10);
+  EXPECT_LT(planned.fan.directions[0].y * planned.main.y, 0);
+}
+
 namespace
 {
 // A trough along y whose walls enclose the angle.
