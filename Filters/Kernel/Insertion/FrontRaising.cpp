@@ -24,6 +24,10 @@ constexpr double ShortestOfFirstHeight = 0.5;
 constexpr double Complete = 0.99999;
 
 // The last one is for fans much thinner than the surface's size, around which all tetrahedra are needles.
+// A last level's spacing may be so much shorter than the one asked for, as a share of it: with the usual growth
+// it is then still about the one before.
+constexpr double LeastLastSpacing = 0.8;
+
 constexpr MoveEffort Efforts[4] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 }, { 1e-7, 60 } };
 constexpr int SweepsPerEffort = 4;
 
@@ -161,11 +165,19 @@ private:
     }
   }
 
-  // Lowers a stuck top onto the highest level below it. Where the mesh beyond does not allow that, the top
-  // stays as it is and makes the column's last level, of a spacing of its own.
+  // A stuck top that has most of its last spacing makes the column's last level where it is. Any other is
+  // lowered onto the highest level below it; where the mesh beyond does not allow that, it stays, and makes
+  // the last level, of a spacing of its own.
   void settle(Index c, Column& column)
   {
-    const int reached = levelBelow(set_, column, front_.share(c) * set_.thickness(column));
+    const double height = front_.share(c) * set_.thickness(column);
+    const int reached = levelBelow(set_, column, height);
+    const LayerHeights& heights = set_.heightsOf(column);
+    if (height - heights.height(reached) >= LeastLastSpacing * heights.spacing(reached + 1))
+    {
+      column.limit(reached + 1, StopReason::Refused);
+      return;
+    }
     if (!lowerTop(mesh_, set_, c, reached))
     {
       column.limit(std::max(1, reached), StopReason::Refused);
