@@ -213,7 +213,8 @@ std::string toJson(const Arguments& a, const ChainResult& r)
   text << "],\n \"tetrahedra\": " << r.tetrahedra << ", \"layer_tetrahedra\": " << r.layerTetrahedra
        << ", \"over_175\": " << r.over175 << ", \"over_179\": " << r.over179
        << ", \"largest_angle\": " << r.largestAngle
-       << ", \"largest_angle_outside\": " << r.largestAngleOutside
+       << ", \"largest_angle_outside\": " << r.largestAngleOutside << ", \"volume_change\": ["
+       << r.volumeChangeByRemoval << ", " << r.volumeChange << "]"
        << ", \"copies_of_wall_faces\": " << r.copiesOfWallFaces << "}\n";
   return text.str();
 }

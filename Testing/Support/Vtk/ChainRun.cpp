@@ -217,13 +217,15 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   result.seconds[0] = runStage(mesher);
   const double volume = volumeOf(mesher->GetOutput());
   result.seconds[1] = runStage(removal);
+  const double cleared = volumeOf(removal->GetOutput());
   result.seconds[2] = runStage(enrichment);
   result.marked = removal->GetNumberOfMarkedPoints();
   result.removed = removal->GetNumberOfRemovedPoints();
   result.requested = enrichment->GetNumberOfRequestedPoints();
   result.inserted = enrichment->GetNumberOfInsertedPoints();
   result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));
-  result.volumeChange = std::fabs(volumeOf(result.mesh) - volume) / volume;
+  result.volumeChangeByRemoval = std::fabs(cleared - volume) / volume;
+  result.volumeChange = std::fabs(volumeOf(result.mesh) - cleared) / volume;
   judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
   return result;
 }

@@ -48,8 +48,10 @@ struct ChainResult
   double largestAngle = 0;        // in the layers, degrees
   double largestAngleOutside = 0; // in the other tetrahedra
   double copiesOfWallFaces =
-    0;                     // share of the copies of wall triangles, at all levels asked for, that are faces
-  double volumeChange = 0; // of removal and enrichment together, as a share; nothing where sides are plane
+    0; // share of the copies of wall triangles, at all levels asked for, that are faces
+  // How much of the fluid's volume came or went in each stage, as a share: nothing where sides are plane.
+  double volumeChangeByRemoval = 0;
+  double volumeChange = 0; // by the enrichment
   std::string faults;      // what is not valid; empty: nothing
 };
 
