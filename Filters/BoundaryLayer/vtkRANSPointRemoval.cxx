@@ -89,7 +89,7 @@ int vtkRANSPointRemoval::RequestData(
   if (outcome.ok())
   {
     result = ransmesh::removePoints(
-      mesh, ransmesh::patchesOfOpened(patches, sheets.patches, plan), plan, options, context);
+      mesh, ransmesh::withFrozenSheets(patches, sheets.patches), plan, options, context);
     outcome = result.outcome;
   }
   std::vector<ransmesh::Index> newNumber;

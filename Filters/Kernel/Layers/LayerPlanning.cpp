@@ -271,6 +271,16 @@ std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& 
   return changeable;
 }
 
+PatchTable withFrozenSheets(const PatchTable& patches, const std::vector<int>& sheetPatches)
+{
+  PatchTable opened = patches;
+  for (const int p : sheetPatches)
+  {
+    opened[p].type = PatchType::Interface;
+  }
+  return opened;
+}
+
 PatchTable patchesOfOpened(
   const PatchTable& patches, const std::vector<int>& sheetPatches, const LayerPlan& plan)
 {

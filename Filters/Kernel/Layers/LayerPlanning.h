@@ -56,9 +56,11 @@ Outcome planLayers(
 // By patch number.
 std::vector<char> changeablePatches(const PatchTable& patches, const LayerPlan& plan);
 
-// The patches of a mesh that is cut open along its sheets (Boundary/Sheets.h), as the stages are to see them.
-// Both sides of a sheet must stay alike: with layers it is a wake, whatever its type was, without it is an
-// interface, where nothing changes.
+// The patches of a mesh that is cut open along its sheets (Boundary/Sheets.h), as the removal is to see them:
+// both sides of a sheet must stay alike, so it is an interface, where nothing changes.
+PatchTable withFrozenSheets(const PatchTable& patches, const std::vector<int>& sheetPatches);
+
+// The same for the enrichment: a sheet with layers is a wake, whatever its type was, without it is an interface.
 PatchTable patchesOfOpened(
   const PatchTable& patches, const std::vector<int>& sheetPatches, const LayerPlan& plan);
 } // namespace ransmesh
