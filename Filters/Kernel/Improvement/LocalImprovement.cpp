@@ -213,12 +213,25 @@ bool LocalImprovement::moveOnto(Index v, const Vector3& place, double wanted)
   for (double fraction = 0.9; fraction > shortest; fraction *= 0.6)
   {
     mesh_.movePoint(v, from + fraction * step);
-    if (worstOf(tets_) > wanted)
+    if (allAbove(wanted))
     {
       return true;
     }
   }
   mesh_.movePoint(v, from);
+  return false;
+}
+
+// Are the shapes of all tetrahedra in tets_ above wanted? One that is not is asked first the next time.
+bool LocalImprovement::allAbove(double wanted)
+{
+  const auto refusing =
+    std::find_if(tets_.begin(), tets_.end(), [&](Index t) { return !(shapeOf(t) > wanted); });
+  if (refusing == tets_.end())
+  {
+    return true;
+  }
+  std::swap(*refusing, tets_.front());
   return false;
 }
 } // namespace ransmesh

@@ -63,6 +63,7 @@ private:
   double worstOf(std::span<const Index> tets) const;
   Vector3 meanNeighbour(Index v) const;
   bool moveOnto(Index v, const Vector3& place, double wanted);
+  bool allAbove(double wanted);
 
   TetMesh& mesh_;
   const BoundaryRules& rules_;
