@@ -19,6 +19,24 @@ bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace
   return false;
 }
 
+namespace
+{
+void sortRise(BaseFace& face)
+{
+  const auto order = [&face](int& j, int& k)
+  {
+    if (std::tie(face.root[k], face.column[k]) < std::tie(face.root[j], face.column[j]))
+    {
+      std::swap(j, k);
+    }
+  };
+  face.rise = { 0, 1, 2 };
+  order(face.rise[0], face.rise[1]);
+  order(face.rise[1], face.rise[2]);
+  order(face.rise[0], face.rise[1]);
+}
+} // namespace
+
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set)
 {
   std::vector<BaseFace> faces;
@@ -37,11 +55,8 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     {
       face.column[j] = set.standingAt(face.vertex[j]);
       face.root[j] = face.column[j] == None ? face.vertex[j] : set.columns[face.column[j]].root;
-      face.rise[j] = j;
     }
-    std::sort(face.rise.begin(), face.rise.end(),
-      [&face](int j, int k)
-      { return std::tie(face.root[j], face.column[j]) < std::tie(face.root[k], face.column[k]); });
+    sortRise(face);
     faces.push_back(face);
   }
   return faces;

@@ -3,6 +3,7 @@
 #include "Insertion/FanOpening.h"
 #include "Insertion/LayerStacks.h"
 #include "Insertion/TensorStacks.h"
+#include "Support/LargeMemory.h"
 
 #include <algorithm>
 #include <numeric>
@@ -11,47 +12,49 @@ namespace ransmesh
 {
 namespace
 {
-// Wall vertices are their columns' tops in the mesh beyond: the wall itself keeps the old numbers, the
-// tops get those of their columns' last levels.
-void separateWallFromFront(const TetMesh& mesh, const ColumnSet& set, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, const std::vector<char>& isReplaced, MeshData& data)
+// Wall vertices are their columns' tops in the mesh beyond: the wall itself keeps the numbers given, the tops get
+// those of their columns' last levels.
+std::vector<Index> numberFront(
+  const ColumnSet& set, const ColumnPoints& numbers, const std::vector<Index>& baseNumber)
 {
-  std::vector<Index> topOf(data.points.size());
-  std::iota(topOf.begin(), topOf.end(), 0);
+  std::vector<Index> number = baseNumber;
   for (std::size_t i = 0; i < set.columns.size(); ++i)
   {
     const Column& c = set.columns[i];
-    topOf[baseNumber[c.vertex]] = numbers.at(static_cast<Index>(i), c.levels);
+    number[c.vertex] = numbers.at(static_cast<Index>(i), c.levels);
   }
-  for (auto& tet : data.tetrahedra)
+  return number;
+}
+
+// Triangles that carry layers stay on the wall, all others go with the front.
+void addTriangles(const TetMesh& mesh, const ColumnSet& set, const std::vector<Index>& baseNumber,
+  const std::vector<Index>& frontNumber, const std::vector<char>& isReplaced, MeshData& data)
+{
+  for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
-    for (Index& v : tet)
-    {
-      v = topOf[v];
-    }
-  }
-  // Triangles that carry layers stay on the wall, all others go with the front.
-  std::vector<Index> order;
-  for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
-  {
-    if (mesh.boundaryFace(static_cast<Index>(b)).isAlive())
-    {
-      order.push_back(static_cast<Index>(b));
-    }
-  }
-  data.triangles.clear();
-  data.trianglePatch.clear();
-  for (const Index b : order)
-  {
-    if (mesh.boundaryFace(b).patch == FrontOnly || isReplaced[b])
+    const auto b = static_cast<Index>(i);
+    if (!mesh.boundaryFace(b).isAlive() || mesh.boundaryFace(b).patch == FrontOnly || isReplaced[i])
     {
       continue;
     }
     const bool onWall = carriesLayers(mesh, set, b);
-    const auto place = [&](Index v) { return onWall ? baseNumber[set.rootOf(v)] : topOf[baseNumber[v]]; };
+    const auto place = [&](Index v) { return onWall ? baseNumber[set.rootOf(v)] : frontNumber[v]; };
     const auto inward = mesh.boundaryVertices(b);
     data.triangles.push_back({ place(inward[0]), place(inward[2]), place(inward[1]) });
     data.trianglePatch.push_back(mesh.boundaryFace(b).patch);
+  }
+}
+
+void addMeshPoints(const TetMesh& mesh, const std::vector<Index>& baseNumber, EnrichedMesh& result)
+{
+  for (std::size_t v = 0; v < baseNumber.size(); ++v)
+  {
+    if (baseNumber[v] != None)
+    {
+      result.mesh.points.push_back(mesh.point(static_cast<Index>(v)));
+      result.column.push_back(None);
+      result.origin.push_back(static_cast<Index>(v));
+    }
   }
 }
 
@@ -93,6 +96,13 @@ void sortTrianglesByPatch(MeshData& data)
   data.trianglePatch.swap(patch);
 }
 
+void reservePoints(std::size_t count, EnrichedMesh& result)
+{
+  reserveLarge(result.mesh.points, count);
+  reserveLarge(result.column, count);
+  reserveLarge(result.origin, count);
+}
+
 // By boundary face: does a tensor grid bring other triangles in its place?
 std::vector<char> replacedTriangles(
   const TetMesh& mesh, const std::vector<BaseFace>& faces, const TensorStacks& tensor)
@@ -107,6 +117,7 @@ std::vector<char> replacedTriangles(
 
 void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMesh& result)
 {
+  reservePoints(result.mesh.points.size() + tensor.points.size(), result);
   result.report.pointsRequested += tensor.planned;
   result.report.pointsInserted += tensor.points.size();
   MeshData& data = result.mesh;
@@ -127,25 +138,38 @@ void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMes
   }
 }
 
-void appendStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
-  const std::vector<Index>& baseNumber, const TensorStacks& tensor, EnrichedMesh& result)
+std::size_t countStackTets(
+  const ColumnSet& set, const std::vector<BaseFace>& faces, const TensorStacks& tensor)
 {
-  MeshData& data = result.mesh;
-  const std::size_t beyond = data.tetrahedra.size();
-  std::size_t count = beyond;
-  for (const BaseFace& face : faces)
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    count += countTets(stackOf(set, face));
+    count += tensor.replaced[i] ? 0 : countTets(stackOf(set, faces[i]));
   }
   for (const TensorStack& t : tensor.stacks)
   {
     count += countTets(t.stack);
   }
-  data.tetrahedra.reserve(count);
-  result.layer.reserve(count);
-  result.prism.reserve(count);
-  result.layer.assign(beyond, 0);
-  result.prism.assign(beyond, None);
+  return count;
+}
+
+// What lies beyond the front, with room for the stacks.
+void addMeshTets(
+  const TetMesh& mesh, const std::vector<Index>& frontNumber, std::size_t stackTets, EnrichedMesh& result)
+{
+  const std::size_t count = mesh.liveTets() + stackTets;
+  reserveLarge(result.mesh.tetrahedra, count);
+  reserveLarge(result.layer, count);
+  reserveLarge(result.prism, count);
+  appendLiveTets(mesh, frontNumber, result.mesh.tetrahedra);
+  result.layer.assign(mesh.liveTets(), 0);
+  result.prism.assign(mesh.liveTets(), None);
+}
+
+void appendStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
+  const std::vector<Index>& baseNumber, const TensorStacks& tensor, EnrichedMesh& result)
+{
+  MeshData& data = result.mesh;
   StackSink sink{ data.tetrahedra, result.layer, result.prism, data.triangles, data.trianglePatch };
   StackWriter writer(sink);
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -164,7 +188,6 @@ void appendStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, cons
     data.trianglePatch.push_back(t.patch);
     writer.write(t.stack, t.sideOpposite, [&t](int corner, int level) { return t.at(corner, level); });
   }
-  result.report.layerTets = data.tetrahedra.size() - beyond;
 }
 
 WallPoint wallPointOf(const ColumnSet& set, const ColumnPoints& numbers, Index column, const MeshData& mesh)
@@ -211,19 +234,11 @@ void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMe
 void writeEnriched(
   const TetMesh& mesh, const ColumnSet& set, double maximumSurfaceAngle, EnrichedMesh& result)
 {
-  std::vector<Index> baseNumber;
-  result.mesh = toMeshData(mesh, &baseNumber);
-  const std::size_t oldPoints = result.mesh.points.size();
-  result.column.assign(oldPoints, None);
-  result.origin.assign(oldPoints, None);
-  for (std::size_t v = 0; v < baseNumber.size(); ++v)
-  {
-    if (baseNumber[v] != None)
-    {
-      result.origin[baseNumber[v]] = static_cast<Index>(v);
-    }
-  }
-  const ColumnPoints numbers(set, baseNumber, oldPoints);
+  Index meshPoints = 0;
+  const std::vector<Index> baseNumber = numberUsedVertices(mesh, meshPoints);
+  const ColumnPoints numbers(set, baseNumber, static_cast<std::size_t>(meshPoints));
+  reservePoints(static_cast<std::size_t>(meshPoints) + numbers.count(), result);
+  addMeshPoints(mesh, baseNumber, result);
   addColumnPoints(mesh, set, baseNumber, result);
   std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
   findSides(mesh, set, faces);
@@ -231,7 +246,10 @@ void writeEnriched(
     makeTensorStacks(mesh, set, faces, numbers, baseNumber, result.mesh.points, maximumSurfaceAngle);
   reportColumns(set, numbers, result);
   addGridPoints(set, tensor, result);
-  separateWallFromFront(mesh, set, numbers, baseNumber, replacedTriangles(mesh, faces, tensor), result.mesh);
+  const std::vector<Index> frontNumber = numberFront(set, numbers, baseNumber);
+  result.report.layerTets = countStackTets(set, faces, tensor);
+  addMeshTets(mesh, frontNumber, result.report.layerTets, result);
+  addTriangles(mesh, set, baseNumber, frontNumber, replacedTriangles(mesh, faces, tensor), result.mesh);
   appendStacks(set, faces, numbers, baseNumber, tensor, result);
   sortTrianglesByPatch(result.mesh);
 }

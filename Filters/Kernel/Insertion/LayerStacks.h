@@ -49,6 +49,9 @@ struct Stack
 
 Stack stackOf(const ColumnSet& set, const BaseFace& face);
 
+// The number of tetrahedra in a stack.
+std::size_t countTets(const Stack& stack);
+
 // Visits the rising corners of a stack in order: visit(level, corner, isFlat), level from 0 below each rise.
 // A flat rise, at the bottom of a fan, makes no tetrahedron.
 template <class Visit>
@@ -103,7 +106,14 @@ private:
 template <class PointAt>
 void StackWriter::write(const Stack& stack, const std::array<int, 3>& sideOpposite, PointAt pointAt)
 {
+  const bool hasSides = sideOpposite != std::array{ 0, 0, 0 };
   std::array<Index, 3> current{ pointAt(0, 0), pointAt(1, 0), pointAt(2, 0) };
+  // Room for the whole stack at once: asking for it at each tetrahedron took a third of the writing.
+  std::size_t next = sink_.tetrahedra.size();
+  const std::size_t end = next + countTets(stack);
+  sink_.tetrahedra.resize(end);
+  sink_.layer.resize(end);
+  sink_.prism.resize(end);
   int level = -1;
   forEachRise(stack,
     [&](int below, int corner, bool isFlat)
@@ -113,15 +123,15 @@ void StackWriter::write(const Stack& stack, const std::array<int, 3>& sideOpposi
       const Index risen = pointAt(corner, below + 1);
       if (!isFlat)
       {
-        sink_.tetrahedra.push_back({ current[0], current[1], current[2], risen });
-        sink_.layer.push_back(below + 1);
-        sink_.prism.push_back(prism_);
-        writeSides(sideOpposite, current, corner, risen);
+        sink_.tetrahedra[next] = { current[0], current[1], current[2], risen };
+        sink_.layer[next] = below + 1;
+        sink_.prism[next++] = prism_;
+        if (hasSides)
+        {
+          writeSides(sideOpposite, current, corner, risen);
+        }
       }
       current[corner] = risen;
     });
 }
-
-// The number of tetrahedra in a stack.
-std::size_t countTets(const Stack& stack);
 } // namespace ransmesh

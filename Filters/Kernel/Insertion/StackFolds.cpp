@@ -2,6 +2,7 @@
 
 #include "Geometry/Predicates.h"
 #include "Insertion/LayerStacks.h"
+#include "Insertion/StackCertainty.h"
 #include "Mesh/Traversal.h"
 
 #include <algorithm>
@@ -27,6 +28,10 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 
 bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
 {
+  if (isSurelyPositive(mesh, set, face))
+  {
+    return false;
+  }
   std::array<Vector3, 3> current = basePoints(mesh, set, face);
   bool positive = true;
   forEachRise(stackOf(set, face),
@@ -75,12 +80,17 @@ int highestLevel(const ColumnSet& set, const BaseFace& face)
 void limitByFolds(const TetMesh& mesh, ColumnSet& set)
 {
   const std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
-  for (bool changed = true; changed;)
+  // The round in which a column was lowered: only faces at those of the last one are looked at again.
+  std::vector<int> loweredIn(set.columns.size(), 0);
+  bool lowered = true;
+  for (int round = 1; lowered; ++round)
   {
-    changed = false;
+    lowered = false;
     for (const BaseFace& face : faces)
     {
-      if (!slabFolds(mesh, set, face))
+      const bool isConcerned = std::any_of(face.column.begin(), face.column.end(),
+        [&](Index c) { return c != None && loweredIn[c] >= round - 1; });
+      if (!isConcerned || !slabFolds(mesh, set, face))
       {
         continue;
       }
@@ -89,7 +99,8 @@ void limitByFolds(const TetMesh& mesh, ColumnSet& set)
         if (c != None && set.columns[c].levels > set.columns[c].lowest)
         {
           set.columns[c].limit(set.columns[c].levels / 2, StopReason::Corner);
-          changed = true;
+          loweredIn[c] = round;
+          lowered = true;
         }
       }
     }

@@ -209,8 +209,13 @@ private:
     const SideProjection lay(normalsOf(sides));
     const std::vector<Vector3> normals = normalsOf(std::span(carrying));
     const Vector3 d = mostVisible(normals, lay, lay(wallNormal));
-    const bool seesAll = visibility(normals, d) > LeastVisibility;
+    const double least = visibility(normals, d);
     column.direction = scaledStep(s.walls, d);
+    if (isSmooth(least, s.patch))
+    {
+      return StopReason::Complete;
+    }
+    const bool seesAll = least > LeastVisibility;
     // The columns of fans and tensor corners are straight: none stands where a side is curved.
     const bool isPlain = carrying.size() == s.walls.size() && arePlane(s.others, sides);
     FaceRing ring;
@@ -220,6 +225,14 @@ private:
       return StopReason::Complete;
     }
     return seesAll ? StopReason::Complete : StopReason::Corner;
+  }
+
+  // All faces differ so little from the column's direction that no two of them make a ridge: there is neither
+  // fan nor tensor corner, and most points of a wall are so.
+  bool isSmooth(double leastVisible, int patch) const
+  {
+    const double turn = std::min(plan_[patch].normalAngle, leastTensorTurn);
+    return leastVisible > std::cos(turn / 2 / DegreesOfRadian);
   }
 
   // Walls that meet at a tensor corner have the same layers. Where the two sides of a wake would not come out

@@ -31,12 +31,17 @@ struct Ray
 std::vector<double> nearestPlanes(const TetMesh& mesh, const ColumnSet& set)
 {
   std::vector<double> nearest(set.columns.size(), std::numeric_limits<double>::infinity());
+  std::vector<Index> standing(mesh.vertexCount()); // small, so that it stays in the cache
+  for (std::size_t v = 0; v < standing.size(); ++v)
+  {
+    standing[v] = set.standingAt(static_cast<Index>(v));
+  }
   for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
   {
     const Tetrahedron& tet = mesh.tet(static_cast<Index>(i));
     for (int corner = 0; tet.isAlive() && corner < 4; ++corner)
     {
-      const Index c = set.standingAt(tet.vertex[corner]);
+      const Index c = standing[tet.vertex[corner]];
       if (c == None)
       {
         continue;

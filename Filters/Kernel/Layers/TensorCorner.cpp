@@ -11,8 +11,8 @@ namespace ransmesh
 namespace
 {
 constexpr double Degree = std::numbers::pi / 180;
-// Walls that turn less than this into each other are one; beyond the other bound the grid is too skew.
-constexpr double LeastTurn = 30 * Degree;
+constexpr double LeastTurn = leastTensorTurn * Degree;
+// Beyond this turn the grid is too skew.
 constexpr double LargestTurn = 140 * Degree;
 // Faces of one wall differ at most so much from its mean normal: more would change its shape.
 constexpr double WallCosine = 0.985; // 10 degrees

@@ -14,6 +14,9 @@
 
 namespace ransmesh
 {
+// Walls that turn less than this into each other (degrees) are one: there is no corner.
+inline constexpr double leastTensorTurn = 30;
+
 struct TensorCorner
 {
   Index column = None;

@@ -120,8 +120,6 @@ Index TetMesh::appendTets(std::size_t count)
   return first;
 }
 
-namespace
-{
 std::vector<Index> numberUsedVertices(const TetMesh& mesh, Index& count)
 {
   std::vector<Index> number(mesh.vertexCount(), None);
@@ -143,7 +141,20 @@ std::vector<Index> numberUsedVertices(const TetMesh& mesh, Index& count)
   }
   return number;
 }
-} // namespace
+
+void appendLiveTets(
+  const TetMesh& mesh, const std::vector<Index>& newNumber, std::vector<std::array<Index, 4>>& tets)
+{
+  for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
+  {
+    const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
+    if (tet.isAlive())
+    {
+      const auto& v = tet.vertex;
+      tets.push_back({ newNumber[v[0]], newNumber[v[1]], newNumber[v[2]], newNumber[v[3]] });
+    }
+  }
+}
 
 MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber)
 {
@@ -159,15 +170,7 @@ MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber)
     }
   }
   reserveLarge(data.tetrahedra, mesh.liveTets());
-  for (std::size_t t = 0; t < mesh.tetSlots(); ++t)
-  {
-    const Tetrahedron& tet = mesh.tet(static_cast<Index>(t));
-    if (tet.isAlive())
-    {
-      data.tetrahedra.push_back(
-        { number[tet.vertex[0]], number[tet.vertex[1]], number[tet.vertex[2]], number[tet.vertex[3]] });
-    }
-  }
+  appendLiveTets(mesh, number, data.tetrahedra);
   std::vector<Index> faces;
   for (std::size_t b = 0; b < mesh.boundarySlots(); ++b)
   {

@@ -123,6 +123,13 @@ private:
   std::vector<Index> freeBoundary_;
 };
 
+// Numbers for the vertices that tetrahedra use, from 0 to count - 1, in order; None for the others.
+std::vector<Index> numberUsedVertices(const TetMesh& mesh, Index& count);
+
+// Appends the live tetrahedra, in order, with their vertices' new numbers.
+void appendLiveTets(
+  const TetMesh& mesh, const std::vector<Index>& newNumber, std::vector<std::array<Index, 4>>& tets);
+
 // The mesh as plain arrays: unused vertices and dead slots dropped, everything else in order of number,
 // triangles sorted by patch. newNumber, if given, receives each vertex's number in the result, or None.
 MeshData toMeshData(const TetMesh& mesh, std::vector<Index>* newNumber = nullptr);

@@ -11,7 +11,7 @@ namespace ransmesh
 // went into getting memory.
 void preferLargePages(void* begin, std::size_t bytes);
 
-// Room for count values in an empty vector, by large pages where that is worthwhile.
+// Room for count values, by large pages where that is worthwhile.
 template <class T>
 void reserveLarge(std::vector<T>& values, std::size_t count)
 {
