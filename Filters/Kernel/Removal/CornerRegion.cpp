@@ -127,7 +127,8 @@ private:
     const double thickness = limitedThickness(heights_[patch], plan_[patch].isotropicFraction, size);
     if (thickness > 0)
     {
-      reach_ = (thickness + margin_ * std::min(size, thickness)) / sine;
+      const double beyond = margin_ * std::min(1.0, thickness * thickness / (size * size)) * size;
+      reach_ = (thickness + beyond) / sine;
       followRidge(here);
       flood(here, stars);
     }

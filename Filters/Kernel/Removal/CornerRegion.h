@@ -18,7 +18,8 @@ struct CornerPoint
 
 // Walls with layers that meet at a concave ridge (fluid angle of 30 to 150 degrees) need room for a grid of
 // both walls' levels: on either wall, no point but the ridge's may lie lower above the other wall than its
-// layers are thick, plus margin times that or the size of the triangles there, whichever is less. Finds those that do: points on the walls'
+// layers are thick, plus margin * size of the triangles there; layers that are thinner than the size need
+// less, by the square of their share of it. Finds those that do: points on the walls'
 // surfaces, and on ridges where they run into another wall. Frozen points and corners never are among them.
 // changeable: by patch, whether a point on a ridge of that patch and a wall may go. Each point once.
 std::vector<CornerPoint> findCornerPoints(const TetMesh& mesh, const Classification& classification,

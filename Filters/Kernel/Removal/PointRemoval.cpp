@@ -77,6 +77,7 @@ public:
     if (result.outcome.ok())
     {
       improveWalls(result);
+      separateRidges(result);
       improve(result);
     }
     result.remaining = left;
@@ -235,6 +236,29 @@ private:
         {
           ++result.swaps;
           notePoor(valence_.made());
+        }
+      }
+    }
+  }
+
+  // Turns edges of the walls that join two ridges: the grids of both ridges need points between them.
+  void separateRidges(RemovalResult& result)
+  {
+    const RemovalLimits limits{ 0.03, 0, 0, 0.5, 140 };
+    const auto onRidge = [this](Index v) { return rules_.classification.kind[v] >= VertexKind::Ridge; };
+    for (const Index face : wallFaces_)
+    {
+      for (int j = 0; j < 3 && mesh_.boundaryFace(face).isAlive(); ++j)
+      {
+        const auto v = mesh_.boundaryVertices(face);
+        const Index from = v[j];
+        const Index to = v[(j + 1) % 3];
+        if (onRidge(from) && onRidge(to) && !rules_.classification.ridges.has(from, to) &&
+          valence_.swapOnWall(from, to, limits, {}))
+        {
+          ++result.swaps;
+          notePoor(valence_.made());
+          break;
         }
       }
     }

@@ -19,8 +19,9 @@ struct RemovalOptions
 {
   // How far beyond the layers points are taken out as well, times the size of the wall's triangles.
   double margin = 0.4;
-  // The same for points of walls in the layers of other walls, at concave ridges.
-  double cornerMargin = 0.35;
+  // The same for points of walls in the layers of other walls, at concave ridges. Measured in cavities of
+  // four and six walls: at 0.35 the enrichment gives up 3 to 40 times as many corners as at 0.7.
+  double cornerMargin = 0.7;
   // How far a boundary face may turn, degrees, 0 to 90.
   double maximumSurfaceAngle = defaults::maximumSurfaceAngle;
 };
