@@ -242,12 +242,16 @@ private:
 
   bool findCavity(const Column& column, Index vertex, const std::vector<Index>& faces)
   {
-    return std::any_of(std::begin(LeastSines), std::end(LeastSines),
-      [&](double sine)
-      {
-        return buildCavity(column, vertex, faces, sine) &&
-          star_.check(cavity_, vertex) == StarVerdict::Possible && star_.lostVertices().empty();
-      });
+    // Where surfaces only touch, a face may have gone with another column's cavity.
+    const bool allThere =
+      std::all_of(faces.begin(), faces.end(), [this](Index b) { return mesh_.boundaryFace(b).isAlive(); });
+    return allThere &&
+      std::any_of(std::begin(LeastSines), std::end(LeastSines),
+        [&](double sine)
+        {
+          return buildCavity(column, vertex, faces, sine) &&
+            star_.check(cavity_, vertex) == StarVerdict::Possible && star_.lostVertices().empty();
+        });
   }
 
   // The tetrahedra behind the faces, and those that the new vertex would not see from inside.

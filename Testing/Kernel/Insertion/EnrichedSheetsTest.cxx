@@ -103,6 +103,20 @@ TEST_F(EnrichedSheets, AFreeSheetHasColumnsOnBothSides)
   EXPECT_GE(enriched.report.pointsInserted, 2u * 11u * Layers);
 }
 
+TEST_F(EnrichedSheets, PartsOfASheetMayTouchInSinglePoints)
+{
+  // Like the black fields of a chess board.
+  mesh_ = grid_mesh::make({ 8, 8, 8 });
+  grid_mesh::addSheet(mesh_,
+    [](const Vector3& p)
+    {
+      const bool isBlack = (static_cast<int>(8 * p.x) + static_cast<int>(8 * p.y)) % 2 == 0;
+      return isAtHalf(p.z) && isBlack && p.x > 0.2 && p.x < 0.8 && p.y > 0.2 && p.y < 0.8;
+    });
+  const EnrichedMesh enriched = run(enrichment_checks::planFor(8, { 7 }, FirstHeight, Layers));
+  EXPECT_GT(enriched.report.pointsInserted, 0u);
+}
+
 TEST_F(EnrichedSheets, ASheetFromSideToSideHasThemInTheSides)
 {
   patches_[3].type = PatchType::Symmetry;
