@@ -194,7 +194,7 @@ private:
         take(first.start);
       }
       Cliffs cliffs;
-      if (split(fan, fan.directions[k], faces, cliffs))
+      if (split(fan, k, faces, cliffs))
       {
         first = k == 0 ? cliffs : first;
         before = cliffs;
@@ -216,16 +216,17 @@ private:
     }
   }
 
-  // Splits a column with these faces off from the root.
-  bool split(const Fan& fan, const Vector3& direction, const std::vector<Index>& faces, Cliffs& cliffs)
+  // Splits the column of this number, with these faces, off from the root.
+  bool split(const Fan& fan, std::size_t number, const std::vector<Index>& faces, Cliffs& cliffs)
   {
     Column column = set_.columns[fan.column];
-    column.direction = direction;
+    column.direction = fan.directions[number];
+    column.path = fan.paths.empty() ? None : fan.paths[number];
     const Index vertex = mesh_.addVertex(column.base);
     for (const double share : Lifts)
     {
       column.lifted = share * set_.heightsOf(column).height(1);
-      mesh_.movePoint(vertex, column.base + column.lifted * direction);
+      mesh_.movePoint(vertex, set_.pointAtHeight(column, column.lifted));
       if (findCavity(column, vertex, faces))
       {
         cliffs = markCliffs(column, vertex, star_.apply());
@@ -330,8 +331,14 @@ private:
 
   bool isStarred(const Column& column, Index b, const std::vector<Index>& faces) const
   {
-    return std::find(faces.begin(), faces.end(), b) != faces.end() ||
-      column.staysIn(mesh_.boundaryFace(b).patch);
+    if (std::find(faces.begin(), faces.end(), b) != faces.end())
+    {
+      return true;
+    }
+    // Of a curved side only the faces at the root: others would turn.
+    const auto v = mesh_.boundaryVertices(b);
+    const bool isNear = column.path == None || std::find(v.begin(), v.end(), column.vertex) != v.end();
+    return isNear && column.staysIn(mesh_.boundaryFace(b).patch);
   }
 
   bool sees(const std::array<Index, 3>& v, const Column& column, Index vertex, double sine) const
@@ -390,9 +397,13 @@ private:
     }
   }
 
-  // Some column was refused: the main one has other faces than planned.
+  // Some column was refused: the main one has other faces than planned. In a side it has no choice.
   void aimAgain(Column& column)
   {
+    if (column.sides[0] != 0)
+    {
+      return;
+    }
     std::vector<Vector3> normals;
     traversal_.ball(column.vertex, ball_);
     for (const Index t : ball_)
@@ -436,7 +447,7 @@ FanReport openFans(TetMesh& mesh, ColumnSet& set)
   for (const Fan& fan : set.fans)
   {
     const Column& main = set.columns[fan.column];
-    if (main.levels > 0 && main.path == None)
+    if (main.levels > 0)
     {
       report.planned += fan.directions.size();
       report.opened += opener.open(fan);

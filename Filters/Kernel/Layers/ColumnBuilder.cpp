@@ -216,11 +216,9 @@ private:
       return StopReason::Complete;
     }
     const bool seesAll = least > LeastVisibility;
-    // The columns of fans and tensor corners are straight: none stands where a side is curved.
-    const bool isPlain = carrying.size() == s.walls.size() && arePlane(s.others, sides);
     FaceRing ring;
-    if (isPlain && makeRing(s.walls, ring) &&
-      (aimFan(s, ring, lay, seesAll, column) || aimTensor(s, ring, normalsOf(sides), column)))
+    if (carrying.size() == s.walls.size() && makeRing(s.walls, ring) &&
+      (aimFan(s, ring, lay, seesAll, column) || aimTensor(s, ring, sides, column)))
     {
       return StopReason::Complete;
     }
@@ -236,9 +234,9 @@ private:
   }
 
   // Walls that meet at a tensor corner have the same layers. Where the two sides of a wake would not come out
-  // alike, none is at a wake: a grid brings points to its walls.
-  bool aimTensor(
-    const Surroundings& s, FaceRing& ring, const std::vector<Vector3>& sideNormals, Column& column)
+  // alike, none is at a wake: a grid brings points to its walls. Its columns are straight: there is none where
+  // a side is curved.
+  bool aimTensor(const Surroundings& s, FaceRing& ring, const std::vector<Side>& sides, Column& column)
   {
     const bool alike = std::all_of(s.walls.begin(), s.walls.end(),
       [&](const FaceAtVertex& f)
@@ -247,7 +245,8 @@ private:
         return allowed && plan_[f.patch] == plan_[s.patch];
       });
     TensorCorner corner;
-    if (!alike || !findTensorCorner(column.base, mesh_, ring, sideNormals, corner))
+    if (!alike || !arePlane(s.others, sides) ||
+      !findTensorCorner(column.base, mesh_, ring, normalsOf(sides), corner))
     {
       return false;
     }

@@ -29,6 +29,7 @@ struct Fan
   std::array<Index, 2> anchor{};   // the first face's other corners
   std::vector<FanStep> walk;       // around the point, counterclockwise seen from the fluid
   std::vector<Vector3> directions; // of the columns beside the main one; steps that rise by one
+  std::vector<Index> paths;        // of these columns in curved sides, None for a straight one; may be empty
   Vector3 single;                  // the main column's direction if the fan can not be opened
 };
 } // namespace ransmesh

@@ -76,53 +76,75 @@ public:
   {
     const SideWay way = walkAlong(c, c.direction);
     limit(c, way);
-    if (c.levels > 0 && !isStraight(set_, c, c.direction, way.path))
+    if (c.levels > 0)
     {
-      const SidePath::Node& first = way.path.nodes[1];
-      c.direction = (1 / first.height) * (first.point - c.base);
-      c.path = static_cast<Index>(set_.paths.size());
-      set_.paths.push_back(way.path);
+      c.path = adoptPath(c, way.path, c.direction);
     }
   }
 
-  // A fan's columns are straight: where the side is curved there stands one column alone.
-  void follow(const Fan& fan)
+  void follow(Fan& fan)
   {
     Column& c = set_.columns[fan.column];
-    std::vector<Vector3> steps = fan.directions;
-    steps.push_back(c.direction);
     std::vector<SideWay> ways;
-    bool allStraight = true;
-    for (const Vector3& step : steps)
+    for (const Vector3& step : fan.directions)
     {
       ways.push_back(walkAlong(c, step));
-      const SidePath& path = ways.back().path;
-      allStraight = allStraight && path.nodes.size() > 1 && isStraight(set_, c, step, path);
     }
-    if (allStraight)
+    ways.push_back(walkAlong(c, c.direction));
+    const bool allGo =
+      std::all_of(ways.begin(), ways.end(), [](const SideWay& way) { return way.path.nodes.size() > 1; });
+    if (!allGo)
     {
-      std::for_each(ways.begin(), ways.end(), [&](const SideWay& way) { limit(c, way); });
+      closeFan(fan);
       return;
     }
+    std::for_each(ways.begin(), ways.end(), [&](const SideWay& way) { limit(c, way); });
+    for (std::size_t i = 0; i < fan.directions.size(); ++i)
+    {
+      fan.paths.push_back(adoptPath(c, ways[i].path, fan.directions[i]));
+    }
+    c.path = adoptPath(c, ways.back().path, c.direction);
+  }
+
+  // Drops the fans that the sides do not allow, and the tensor corners, which are straight, of columns that
+  // are not.
+  void dropWhatIsClosed()
+  {
+    std::erase_if(set_.fans,
+      [this](const Fan& fan)
+      { return std::find(isClosed_.begin(), isClosed_.end(), fan.column) != isClosed_.end(); });
+    std::erase_if(
+      set_.corners, [this](const TensorCorner& corner) { return set_.columns[corner.column].path != None; });
+  }
+
+private:
+  // Keeps the path, if a straight column of this step would leave it; the step is then the path's first one.
+  Index adoptPath(const Column& c, const SidePath& path, Vector3& step)
+  {
+    if (c.levels == 0 || isStraight(set_, c, step, path))
+    {
+      return None;
+    }
+    const SidePath::Node& first = path.nodes[1];
+    step = (1 / first.height) * (first.point - c.base);
+    set_.paths.push_back(path);
+    return static_cast<Index>(set_.paths.size()) - 1;
+  }
+
+  // Leaves the column alone on its root.
+  void closeFan(const Fan& fan)
+  {
+    Column& c = set_.columns[fan.column];
+    isClosed_.push_back(fan.column);
     c.direction = fan.single;
     if (norm(fan.single) == 0)
     {
       c.limit(0, StopReason::CurvedSide);
       return;
     }
-    isClosed_.push_back(fan.column);
     follow(c);
   }
 
-  // Drops the fans that curved sides do not allow.
-  void dropClosedFans()
-  {
-    std::erase_if(set_.fans,
-      [this](const Fan& fan)
-      { return std::find(isClosed_.begin(), isClosed_.end(), fan.column) != isClosed_.end(); });
-  }
-
-private:
   SideWay walkAlong(const Column& c, const Vector3& step) const
   {
     const SideStart start{ c.root, c.sides, step, upOf(c, step, stars_, plan_) };
@@ -173,13 +195,13 @@ void followSides(
       follower.follow(c);
     }
   }
-  for (const Fan& fan : set.fans)
+  for (Fan& fan : set.fans)
   {
     if (const Column& c = set.columns[fan.column]; c.levels > 0 && c.sides[0] != 0)
     {
       follower.follow(fan);
     }
   }
-  follower.dropClosedFans();
+  follower.dropWhatIsClosed();
 }
 } // namespace ransmesh

@@ -130,6 +130,20 @@ TEST(CurvedSides, APipeBehindASphericalCapIsComplete)
   }
 }
 
+TEST(CurvedSides, AFanStandsInThem)
+{
+  // The floor is a roof whose ridge along x ends in the bent sides.
+  const auto roof = [](const Vector3& p) {
+    return bentSides({ p.x, p.y, p.z - (1 - p.z) * 1.2 * std::fabs(p.y - 0.5) });
+  };
+  const MeshData mesh = make({ 8, 8, 8, roof });
+  const auto enriched = enrichCurved(mesh, planFor(7, { ZLow }, 1e-4, 20));
+  EXPECT_EQ(enriched.report.fans.planned, 9u * 3u);
+  EXPECT_EQ(enriched.report.fans.opened, enriched.report.fans.planned);
+  EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+  expectSidesKept(mesh, enriched, { XLow, XHigh, YLow, YHigh });
+}
+
 TEST(CurvedSides, HeightsAreAboveTheWall)
 {
   const MeshData mesh = make({ 8, 8, 8, bentSides });
