@@ -33,6 +33,7 @@ const std::map<std::string, Goals> reached = {
   { "wing-round", { 0.9994, 0.979, 5e-4, 1e-4 } },
   { "wing-half", { 0.9997, 0.988, 5e-4, 1e-4 } },
   { "capped-pipe-thick1", { 0.98, 0.96, 1e-3, 2e-4 } },
+  { "half-dome-thick1", { 0.995, 0.97, 1e-3, 2e-4 } },
   { "plates-gap2", { 0.9995, 0.99, 1e-3, 2e-4 } },
   { "plates-gap1", { 0.9995, 0.99, 1e-3, 2e-4 } },
   { "plates-gap0.5", { 0.9995, 0.99, 1e-3, 2e-4 } },
