@@ -28,18 +28,19 @@ double LocalImprovement::shapeOf(Index tet) const
   return shapeOf(v[0], v[1], v[2], v[3]);
 }
 
-bool LocalImprovement::swap(Index tet)
+bool LocalImprovement::swap(Index tet, unsigned corners)
 {
+  const auto mayTry = [corners](unsigned needed) { return (corners & needed) == needed; };
   for (int edge = 0; edge < 6; ++edge)
   {
-    if (swapEdge(tet, edge))
+    if (mayTry(1U << EdgeCorners[edge][0] | 1U << EdgeCorners[edge][1]) && swapEdge(tet, edge))
     {
       return true;
     }
   }
   for (int face = 0; face < 4; ++face)
   {
-    if (swapFace(tet, face))
+    if (mayTry(AllCorners & ~(1U << face)) && swapFace(tet, face))
     {
       return true;
     }

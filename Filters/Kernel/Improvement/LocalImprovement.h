@@ -33,7 +33,9 @@ public:
 
   // Tries to replace the tetrahedron by better ones: by taking out one of its edges inside the mesh, or
   // one of its faces. The worst quality among those that change must rise.
-  bool swap(Index tet);
+  // Only edges and faces between the corners given (bit i for corner i) are tried.
+  bool swap(Index tet, unsigned corners = AllCorners);
+  static constexpr unsigned AllCorners = 0b1111;
 
   // Moves a vertex of the volume towards the mean of its neighbours if that does not make the worst
   // quality around it less than keep times what it was.

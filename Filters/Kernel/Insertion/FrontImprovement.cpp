@@ -56,12 +56,17 @@ public:
   static constexpr std::size_t Never = std::numeric_limits<std::size_t>::max();
 
   std::size_t count() const { return count_; }
-  // Is there a reason to try what was tried in vain at that count of changes, if ever?
-  bool anyAt(Index tet, std::size_t triedAt) const
+  // The corners (bit i for corner i) at which something changed since that count of changes; all for Never. A
+  // swap that failed can succeed only if there is one at every vertex of its edge or face: all tetrahedra
+  // concerned have these.
+  unsigned changedCorners(Index tet, std::size_t triedAt) const
   {
-    const auto& corners = mesh_.tet(tet).vertex;
-    return std::any_of(
-      corners.begin(), corners.end(), [this, triedAt](Index v) { return anyAtVertex(v, triedAt); });
+    unsigned corners = 0;
+    for (unsigned i = 0; i < 4; ++i)
+    {
+      corners |= anyAtVertex(mesh_.tet(tet).vertex[i], triedAt) ? 1U << i : 0;
+    }
+    return corners;
   }
   bool isWorthMoving(Index v) const { return anyAtVertex(v, unmoved_[v]); }
   void noteUnmoved(Index v) { unmoved_[v] = count_; }
@@ -105,9 +110,9 @@ struct Candidate
 };
 
 // Swaps the tetrahedron away, or moves its corners; gives whether it is gone.
-bool improve(Index t, TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
+bool improve(Index t, unsigned corners, TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
 {
-  if (improvement.swap(t))
+  if (improvement.swap(t, corners))
   {
     changes.noteMade(improvement.made());
     return true;
@@ -150,13 +155,14 @@ std::size_t improveBeyondFront(
       {
         continue;
       }
-      if (!changes.anyAt(t, triedAt))
+      const unsigned corners = changes.changedCorners(t, triedAt);
+      if (corners == 0)
       {
         next.push_back({ t, triedAt });
         continue;
       }
       const std::size_t before = changes.count();
-      if (!improve(t, mesh, improvement, changes))
+      if (!improve(t, corners, mesh, improvement, changes))
       {
         next.push_back({ t, before });
         continue;

@@ -50,14 +50,14 @@ void JointMove::place(const std::vector<double>& target)
 
 bool JointMove::isConcerned(std::span<const Index> vertices) const
 {
-  bool moved = false;
-  bool changed = false;
+  int latest = Never;
+  int moved = 0; // without branches: whether a vertex moved is a toss
   for (const Index v : vertices)
   {
-    moved = moved || hasMoved(v);
-    changed = changed || lastChange_[v] >= round_ - 1;
+    latest = std::max(latest, lastChange_[v]);
+    moved |= moved_[v];
   }
-  return moved && changed;
+  return moved != 0 && latest >= round_ - 1;
 }
 
 std::vector<Index> JointMove::tetsAtMovedTops() const
