@@ -33,7 +33,7 @@ bool findLines(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face, 
       continue;
     }
     const Column& c = set.columns[face.column[j]];
-    if (c.path != None || (c.levels > 0 && !(mesh.point(c.vertex) == set.pointAt(c, c.levels))))
+    if (c.path != None)
     {
       return false;
     }

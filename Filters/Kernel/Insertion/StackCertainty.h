@@ -7,8 +7,8 @@
 
 namespace ransmesh
 {
-// True only if every tetrahedron of the face's stack is positive in exact arithmetic, at the coordinates that
-// are stored; false says nothing.
+// True only if every tetrahedron of the face's stack is positive in exact arithmetic, with all points where
+// their columns say (ColumnSet::pointAt); false says nothing.
 //
 // With straight columns b + h d, the tetrahedron by which corner j rises by s has s N.d_j as its six volumes,
 // where N is the normal of the triangle of the current corners. N.d_j does not depend on j's own height and is

@@ -11,9 +11,26 @@ namespace ransmesh
 {
 namespace
 {
-Vector3 levelPoint(const TetMesh& mesh, const ColumnSet& set, const Column& c, int level)
+// Where the tops of columns are taken to be.
+enum class Tops
 {
-  return level == c.levels ? mesh.point(c.vertex) : set.pointAt(c, level);
+  InMesh,   // where the mesh's vertices are
+  AsPlanned // where the columns end
+};
+
+Vector3 levelPoint(const TetMesh& mesh, const ColumnSet& set, const Column& c, int level, Tops tops)
+{
+  return tops == Tops::InMesh && level == c.levels ? mesh.point(c.vertex) : set.pointAt(c, level);
+}
+
+bool topsAreAsPlanned(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+{
+  return std::all_of(face.column.begin(), face.column.end(),
+    [&](Index i)
+    {
+      const Column* c = i == None ? nullptr : &set.columns[i];
+      return !c || c->levels == 0 || mesh.point(c->vertex) == set.pointAt(*c, c->levels);
+    });
 }
 
 std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
@@ -26,9 +43,9 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
   return points;
 }
 
-bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face, Tops tops = Tops::InMesh)
 {
-  if (isSurelyPositive(mesh, set, face))
+  if ((tops == Tops::AsPlanned || topsAreAsPlanned(mesh, set, face)) && isSurelyPositive(mesh, set, face))
   {
     return false;
   }
@@ -37,7 +54,7 @@ bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
   forEachRise(stackOf(set, face),
     [&](int below, int corner, bool isFlat)
     {
-      const Vector3 risen = levelPoint(mesh, set, set.columns[face.column[corner]], below + 1);
+      const Vector3 risen = levelPoint(mesh, set, set.columns[face.column[corner]], below + 1, tops);
       positive = positive && (isFlat || isPositive(current[0], current[1], current[2], risen));
       current[corner] = risen;
     });
@@ -90,13 +107,20 @@ void limitByFolds(const TetMesh& mesh, ColumnSet& set)
     {
       const bool isConcerned = std::any_of(face.column.begin(), face.column.end(),
         [&](Index c) { return c != None && loweredIn[c] >= round - 1; });
-      if (!isConcerned || !slabFolds(mesh, set, face))
+      if (!isConcerned)
       {
         continue;
       }
+      const bool slab = slabFolds(mesh, set, face);
+      if (!slab && !isFolded(mesh, set, face, Tops::AsPlanned))
+      {
+        continue;
+      }
+      // Where only the stack folds, it is the steps between columns: the highest ones are lowered.
+      const int highest = slab ? 0 : highestLevel(set, face);
       for (const Index c : face.column)
       {
-        if (c != None && set.columns[c].levels > set.columns[c].lowest)
+        if (c != None && set.columns[c].levels > set.columns[c].lowest && set.columns[c].levels >= highest)
         {
           set.columns[c].limit(set.columns[c].levels / 2, StopReason::Corner);
           loweredIn[c] = round;

@@ -9,8 +9,8 @@
 
 namespace ransmesh
 {
-// Before the front rises: halves the columns of faces whose slab, taken as one layer of full height,
-// has a tetrahedron that is not positive, until none has.
+// Before the front rises: halves the columns of faces whose slab, taken as one layer of full height, has a
+// tetrahedron that is not positive, and the highest columns of those whose stack has one, until none has.
 void limitByFolds(const TetMesh& mesh, ColumnSet& set);
 
 // After it: do all stacks of these faces have only positive tetrahedra, with the tops where the mesh's

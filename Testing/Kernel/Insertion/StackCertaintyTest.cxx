@@ -94,12 +94,4 @@ TEST(StackCertainty, IsNeverSureOfAStackThatFolds)
   EXPECT_GT(folded, 100u);
   EXPECT_GT(sure, 1000u);
 }
-
-TEST(StackCertainty, IsNotSureOfATopThatIsNotItsColumns)
-{
-  RaisedPlate plate(1e-3, {});
-  const Index vertex = plate.set.columns[plate.faces[0].column[0]].vertex;
-  plate.mesh.movePoint(vertex, plate.mesh.point(vertex) + Vector3{ 1e-9, 0, 0 });
-  EXPECT_FALSE(isSurelyPositive(plate.mesh, plate.set, plate.faces[0]));
-}
 } // namespace
