@@ -1,6 +1,6 @@
 #include "Insertion/EnrichedOutput.h"
 
-#include "Insertion/FanOpening.h"
+#include "Insertion/FanFaces.h"
 #include "Insertion/LayerStacks.h"
 #include "Insertion/TensorStacks.h"
 #include "Support/LargeMemory.h"

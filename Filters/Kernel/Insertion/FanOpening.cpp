@@ -1,11 +1,13 @@
 #include "Insertion/FanOpening.h"
 
 #include "Geometry/Predicates.h"
+#include "Insertion/FanFaces.h"
 #include "Layers/Directions.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ransmesh
 {
@@ -16,16 +18,10 @@ constexpr double LeastSines[] = { 0.15, 0.03, 0 };
 
 // Heights of a new top, in first heights: lower ones see past neighbours that are open already.
 constexpr double Lifts[] = { 1, 0.5, 0.25 };
+// A face lies in the root's plane if the root is so near to its plane, in the wall's sizes.
+constexpr double InPlane = 1e-3;
 // A cavity may reach so many tetrahedra beyond the root's ball.
 constexpr std::size_t MostBeyondBall = 20;
-
-// A face of the front at the root, turned into the fluid: (root, second, third).
-struct FrontFace
-{
-  Index face;
-  Index second;
-  Index third;
-};
 
 // The two faces that come between the root and a column split off from it.
 struct Cliffs
@@ -40,6 +36,7 @@ public:
   FanOpener(TetMesh& mesh, ColumnSet& set)
     : mesh_(mesh)
     , set_(set)
+    , faces_(mesh, set)
     , star_(mesh)
     , traversal_(mesh)
   {
@@ -49,7 +46,7 @@ public:
   {
     std::vector<std::vector<Index>> lifted(fan.directions.size() + 1);
     opened_.clear();
-    refused_ = !assignFaces(fan, lifted);
+    refused_ = !faces_.assign(fan, lifted);
     if (!refused_)
     {
       splitOff(fan, lifted);
@@ -70,105 +67,6 @@ public:
   }
 
 private:
-  bool isFront(const Column& column, Index b) const { return !column.staysIn(mesh_.boundaryFace(b).patch); }
-
-  // The front's faces at the root in order, beginning with the one whose corners stand on the anchor.
-  std::vector<FrontFace> facesAround(const Fan& fan)
-  {
-    const Column& column = set_.columns[fan.column];
-    std::vector<FrontFace> found;
-    traversal_.ball(column.vertex, ball_);
-    for (const Index t : ball_)
-    {
-      for (int f = 0; f < 4; ++f)
-      {
-        const HalfFace beyond = mesh_.tet(t).neighbour[f];
-        if (isBoundary(beyond) && mesh_.tet(t).vertex[f] != column.vertex &&
-          isFront(column, boundaryFaceOf(beyond)))
-        {
-          auto v = mesh_.tet(t).face(f);
-          while (v[0] != column.vertex)
-          {
-            v = { v[1], v[2], v[0] };
-          }
-          found.push_back({ boundaryFaceOf(beyond), v[1], v[2] });
-        }
-      }
-    }
-    std::vector<FrontFace> ordered;
-    auto at = std::find_if(found.begin(), found.end(),
-      [&](const FrontFace& f)
-      {
-        return mesh_.boundaryFace(f.face).patch != FrontOnly && set_.rootOf(f.second) == fan.anchor[0] &&
-          set_.rootOf(f.third) == fan.anchor[1];
-      });
-    while (at != found.end() && ordered.size() < found.size())
-    {
-      ordered.push_back(*at);
-      const Index end = at->third;
-      at = std::find_if(found.begin(), found.end(), [end](const FrontFace& f) { return f.second == end; });
-    }
-    return ordered.size() == found.size() ? ordered : std::vector<FrontFace>{};
-  }
-
-  // Which of the front's faces each column of the fan lifts: the wall's by the plan, those of neighbouring
-  // fans by direction. False if the faces are not what the plan says.
-  bool assignFaces(const Fan& fan, std::vector<std::vector<Index>>& lifted)
-  {
-    const std::vector<FrontFace> faces = facesAround(fan);
-    std::size_t at = 0;
-    for (std::size_t step = 0; step < fan.walk.size();)
-    {
-      for (int i = 0; i < fan.walk[step].faces; ++i, ++at)
-      {
-        if (at >= faces.size() || mesh_.boundaryFace(faces[at].face).patch == FrontOnly)
-        {
-          return false;
-        }
-        lifted[fan.walk[step].column].push_back(faces[at].face);
-      }
-      std::size_t last = step + 1;
-      while (last < fan.walk.size() && fan.walk[last].faces == 0)
-      {
-        ++last;
-      }
-      std::size_t current = step;
-      for (; at < faces.size() && mesh_.boundaryFace(faces[at].face).patch == FrontOnly; ++at)
-      {
-        current = nearestStep(fan, current, std::min(last, lastStep(fan)), faces[at]);
-        lifted[fan.walk[current % fan.walk.size()].column].push_back(faces[at].face);
-      }
-      step = last;
-    }
-    return at == faces.size() && !faces.empty();
-  }
-  // The last step that faces beside the walk may go to; a closed walk ends where it began.
-  static std::size_t lastStep(const Fan& fan) { return fan.closed ? fan.walk.size() : fan.walk.size() - 1; }
-
-  // Of the steps from first to last, the one whose column points most like the columns of a neighbour's face.
-  std::size_t nearestStep(const Fan& fan, std::size_t first, std::size_t last, const FrontFace& face) const
-  {
-    const Vector3 middle = directionAt(face.second) + directionAt(face.third);
-    const auto agreement = [&](std::size_t step)
-    { return dot(middle, normalized(directionOf(fan, fan.walk[step % fan.walk.size()].column))); };
-    std::size_t best = first;
-    for (std::size_t step = first + 1; step <= last; ++step)
-    {
-      best = agreement(step) > agreement(best) + 1e-9 ? step : best;
-    }
-    return best;
-  }
-  Vector3 directionOf(const Fan& fan, int number) const
-  {
-    return static_cast<std::size_t>(number) < fan.directions.size() ? fan.directions[number]
-                                                                    : set_.columns[fan.column].direction;
-  }
-  Vector3 directionAt(Index vertex) const
-  {
-    const Index c = set_.ofVertex[vertex];
-    return c == None ? Vector3{} : normalized(set_.columns[c].direction);
-  }
-
   void splitOff(const Fan& fan, std::vector<std::vector<Index>>& lifted)
   {
     Cliffs before;
@@ -259,9 +157,10 @@ private:
   bool buildCavity(const Column& column, Index vertex, const std::vector<Index>& faces, double sine)
   {
     collectFirst(column.vertex, faces);
-    for (std::size_t i = 0; i < cavity_.tets.size(); ++i)
+    std::size_t next = 0;
+    while (next < cavity_.tets.size()) // they become more
     {
-      const Tetrahedron& tet = mesh_.tet(cavity_.tets[i]);
+      const Tetrahedron& tet = mesh_.tet(cavity_.tets[next++]);
       for (int f = 0; f < 4; ++f)
       {
         const HalfFace beyond = tet.neighbour[f];
@@ -331,14 +230,23 @@ private:
 
   bool isStarred(const Column& column, Index b, const std::vector<Index>& faces) const
   {
-    if (std::find(faces.begin(), faces.end(), b) != faces.end())
-    {
-      return true;
-    }
-    // Of a curved side only the faces at the root: others would turn.
+    return std::find(faces.begin(), faces.end(), b) != faces.end() ||
+      (column.staysIn(mesh_.boundaryFace(b).patch) && isOfRootsSide(column, b));
+  }
+
+  // Of a curved side only the faces at the root: others would turn. A patch may also have several planes; the
+  // column stays in those that go through its root.
+  bool isOfRootsSide(const Column& column, Index b) const
+  {
     const auto v = mesh_.boundaryVertices(b);
-    const bool isNear = column.path == None || std::find(v.begin(), v.end(), column.vertex) != v.end();
-    return isNear && column.staysIn(mesh_.boundaryFace(b).patch);
+    const bool hasRoot = std::find(v.begin(), v.end(), column.vertex) != v.end();
+    if (hasRoot || column.path != None)
+    {
+      return hasRoot;
+    }
+    const Vector3& a = mesh_.point(v[0]);
+    const Vector3 n = normalized(cross(mesh_.point(v[1]) - a, mesh_.point(v[2]) - a));
+    return std::fabs(dot(n, column.base - a)) <= InPlane * column.size;
   }
 
   bool sees(const std::array<Index, 3>& v, const Column& column, Index vertex, double sine) const
@@ -364,7 +272,7 @@ private:
       for (int f = 0; f < 4; ++f)
       {
         const HalfFace beyond = mesh_.tet(t).neighbour[f];
-        if (!isBoundary(beyond) || !isFront(column, boundaryFaceOf(beyond)))
+        if (!isBoundary(beyond) || !isFrontFace(mesh_, column, boundaryFaceOf(beyond)))
         {
           continue;
         }
@@ -412,7 +320,7 @@ private:
       {
         const HalfFace beyond = mesh_.tet(t).neighbour[f];
         if (isBoundary(beyond) && mesh_.tet(t).vertex[f] != column.vertex &&
-          isFront(column, boundaryFaceOf(beyond)))
+          isFrontFace(mesh_, column, boundaryFaceOf(beyond)))
         {
           const auto v = mesh_.tet(t).face(f);
           normals.push_back(
@@ -430,6 +338,7 @@ private:
 
   TetMesh& mesh_;
   ColumnSet& set_;
+  FanFaces faces_;
   Star star_;
   Traversal traversal_;
   Marks inCavity_;

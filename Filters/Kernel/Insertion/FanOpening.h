@@ -3,7 +3,7 @@
 // The root's ball is split by the star operator, one column after the other: a new vertex, a little way
 // out along the column, takes over the wall's faces that the column lifts. Between it and the root come
 // faces of the front that have no triangle of the wall below them: two of their corners, or all three,
-// stand on the same root. They have the patch FrontOnly.
+// stand on the same root. They have the patch FrontOnly (FanFaces.h).
 #pragma once
 
 #include "Layers/Column.h"
@@ -13,9 +13,6 @@
 
 namespace ransmesh
 {
-// The fluid's row of the patch table: boundary faces of the front without a triangle on the wall.
-inline constexpr int FrontOnly = 0;
-
 struct FanReport
 {
   std::size_t planned = 0; // columns beside the main ones

@@ -52,7 +52,8 @@ std::size_t countTets(const Stack& stack)
     stack.root[0] != stack.root[1] && stack.root[1] != stack.root[2] && stack.root[2] != stack.root[0];
   if (hasBase)
   {
-    return static_cast<std::size_t>(stack.levels[0] + stack.levels[1] + stack.levels[2]);
+    return static_cast<std::size_t>(stack.levels[0]) + static_cast<std::size_t>(stack.levels[1]) +
+      static_cast<std::size_t>(stack.levels[2]);
   }
   std::size_t count = 0;
   forEachRise(stack, [&count](int, int, bool isFlat) { count += isFlat ? 0 : 1; });
