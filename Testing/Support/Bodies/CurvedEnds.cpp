@@ -26,7 +26,7 @@ void addFilled(
 Body cappedPipe(double size)
 {
   constexpr double length = 1.5;
-  constexpr double bulge = 0.8;
+  constexpr double bulge = 1.6;
   SurfaceBuilder builder;
   const int wall = builder.patch("wall", PatchType::Wall);
   const int around = ringDivisions(radius, size);
