@@ -14,10 +14,12 @@
 #include "Boundary/SurfaceCheck.h"
 #include "Boundary/SurfaceRemeshing.h"
 #include "Boundary/SurfaceSizes.h"
+#include "Boundary/SurfaceSwaps.h"
 #include "Support/DataContract.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -61,6 +63,31 @@ void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
   array->SetName(ransmesh::contract::MesherSwitches);
   array->InsertNextValue(switches);
   grid->GetFieldData()->AddArray(array);
+}
+
+void writeSwaps(vtkIdType swaps, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(ransmesh::contract::SurfaceSwaps);
+  array->InsertNextValue(swaps);
+  grid->GetFieldData()->AddArray(array);
+}
+
+// A flag a point: whether it lies on a patch of type interface, which must not change.
+std::vector<char> frozenPoints(const ransmesh::Domain& domain)
+{
+  std::vector<char> isFrozen(domain.surface.points.size(), 0);
+  for (std::size_t t = 0; t < domain.surface.triangles.size(); ++t)
+  {
+    if (domain.patches[domain.surface.patch[t]].type == ransmesh::PatchType::Interface)
+    {
+      for (const ransmesh::Index v : domain.surface.triangles[t])
+      {
+        isFrozen[v] = 1;
+      }
+    }
+  }
+  return isFrozen;
 }
 
 std::optional<ransmesh::Extent> extentOfBox(const ransmesh::Domain& domain)
@@ -116,6 +143,8 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "SurfaceEdgeLength: " << this->SurfaceEdgeLength << "\n";
+  os << indent << "SwapSurfaceEdges: " << this->SwapSurfaceEdges << "\n";
+  os << indent << "MaximumSurfaceAngle: " << this->MaximumSurfaceAngle << "\n";
   os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
   os << indent << "MaximumRadiusEdgeRatio: " << this->MaximumRadiusEdgeRatio << "\n";
   os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
@@ -238,6 +267,7 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
   };
   bool valid = within("MaximumEdgeLength", this->MaximumEdgeLength, 0, 1e50) &&
     within("SurfaceEdgeLength", this->SurfaceEdgeLength, 0, 1e50) &&
+    within("MaximumSurfaceAngle", this->MaximumSurfaceAngle, 0, 90) &&
     within("SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3) &&
     within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
     within("MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18) &&
@@ -384,6 +414,35 @@ bool vtkIsotropicTetMesher::MakeDomain(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkIsotropicTetMesher::SwapDiagonals(ransmesh::Domain& domain)
+{
+  if (!this->SwapSurfaceEdges)
+  {
+    return 0;
+  }
+  const ransmesh::SwapReport report =
+    ransmesh::swapDiagonals(domain.surface, this->MaximumSurfaceAngle, frozenPoints(domain));
+  if (report.isRefused)
+  {
+    vtkWarningMacro(
+      "No diagonals of surface triangles were swapped, since the surface would cut itself then; "
+      "try a smaller MaximumSurfaceAngle.");
+  }
+  if (report.swaps > 0)
+  {
+    vtkWarningMacro(
+      "Mended: " << report.swaps << (report.swaps == 1 ? " diagonal" : " diagonals")
+                 << " of surface triangles swapped, no point moved, no new edge is farther than "
+                 << report.largestShift << " from that which it replaced; largest angle "
+                 << report.largestBefore << " degrees before, " << report.largestAfter
+                 << " after; triangles above " << ransmesh::FlatTriangleAngle
+                 << " degrees: " << report.flatBefore << " before, " << report.flatAfter
+                 << " after (SwapSurfaceEdges off keeps all triangles).");
+  }
+  return static_cast<vtkIdType>(report.swaps);
+}
+
+//------------------------------------------------------------------------------
 bool vtkIsotropicTetMesher::DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain)
 {
   const auto limit = [&options](const ransmesh::Vector3& x) { return options.limits.at(x); };
@@ -416,9 +475,14 @@ int vtkIsotropicTetMesher::RequestData(
   const ransmesh::MeshingOptions options = this->GetOptions();
   ransmesh::Domain domain;
   if (!this->CheckSurface(input, problems) || !this->PrepareSurface(input, problems) ||
-    !this->MakeDomain(input, domain, problems) || !this->DivideLongEdges(options, domain))
+    !this->MakeDomain(input, domain, problems))
   {
     return problems->GetNumberOfCells() > 0;
+  }
+  const vtkIdType swaps = this->SwapDiagonals(domain);
+  if (!this->DivideLongEdges(options, domain))
+  {
+    return 0;
   }
   ransmesh::MeshingResult result;
   const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
@@ -440,5 +504,6 @@ int vtkIsotropicTetMesher::RequestData(
   }
   ransmesh::writeMesh(result.mesh, domain.patches, output);
   writeSwitches(result.switches, output);
+  writeSwaps(swaps, output);
   return 1;
 }

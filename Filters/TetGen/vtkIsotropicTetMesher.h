@@ -4,8 +4,8 @@
  *
  * First stage of the chain to a RANS mesh: meshes the domain that the input surfaces bound, or, with
  * FarField, the space between the input bodies and a box around them. The insides of bodies are found and
- * left empty. Surface triangles are kept, except that edges longer than the wanted size are halved, or
- * remeshed on demand; sizes in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
+ * left empty. Surface triangles are kept, except that diagonals of very obtuse ones are swapped, that edges
+ * longer than the wanted size are halved, and that surfaces are remeshed on demand; sizes in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
  * happens there becomes an error of this filter.
  *
  * Input (repeatable): vtkPolyData, or composite data of them; closed together; each triangle with a patch
@@ -13,7 +13,7 @@
  * Input 1 (optional, repeatable): sheets, in the same form, but open.
  * Output 0: the mesh by the data contract of the project: tetrahedra, then boundary triangles sorted by
  * patch and turned outward (those of sheets once, as they come), with PatchId, PatchNames, PatchTypes; field
- * data MesherSwitches.
+ * data MesherSwitches and SurfaceSwaps.
  * Output 1: the triangles that are wrong with the surface, with Reason, PartnerId, PatchId. If these are
  * known, the filter reports the error and ends with an empty mesh, so that they can be shown.
  */
@@ -75,6 +75,27 @@ public:
    */
   vtkSetMacro(SurfaceEdgeLength, double);
   vtkGetMacro(SurfaceEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the diagonal of two triangles of a patch is swapped where that lowers the largest of their angles
+   * and this is above 150 degrees: tetrahedra are no better than the triangles that they stand on. No point
+   * moves; patches of type interface stay as they are. Reported by a warning and by the field data
+   * SurfaceSwaps, the number of swaps. Default on.
+   */
+  vtkSetMacro(SwapSurfaceEdges, bool);
+  vtkGetMacro(SwapSurfaceEdges, bool);
+  vtkBooleanMacro(SwapSurfaceEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far, in degrees, 0 to 90, swaps may turn the surface: a new triangle lies within this angle of both
+   * that it replaces. Edges that turn by more than twice the angle are never swapped. Default 10.
+   */
+  vtkSetMacro(MaximumSurfaceAngle, double);
+  vtkGetMacro(MaximumSurfaceAngle, double);
   ///@}
 
   ///@{
@@ -190,6 +211,8 @@ protected:
 
   double MaximumEdgeLength = 0;
   double SurfaceEdgeLength = 0;
+  bool SwapSurfaceEdges = true;
+  double MaximumSurfaceAngle = 10;
   double SurfaceGrowthRate = 1.3;
   double MaximumRadiusEdgeRatio = 1.4;
   double MinimumDihedralAngle = 10;
@@ -221,6 +244,8 @@ private:
   bool PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
   // The surface with its sheets and the box around it. False, with the error reported, if that fails.
   bool MakeDomain(ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems);
+  // Swaps diagonals, if wanted, and reports it. Gives how many.
+  vtkIdType SwapDiagonals(ransmesh::Domain& domain);
   // Halves what is longer than the sizes. False, with the error reported, if the mesh would be too large.
   bool DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain);
 };

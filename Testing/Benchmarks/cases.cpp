@@ -1,7 +1,7 @@
 // The cases that the layers are judged by, one at a time:
 //   ransmesh-cases list
 //   ransmesh-cases CASE|SURFACE [--size S] [--h0 H] [--layers N] [--growth G] [--thickness T] [--far-field]
-//                  [--walls PATTERN...] [-o MESH.vtu] [--surface FILE.vtp] [--json FILE]
+//                  [--swap-angle A] [--walls PATTERN...] [-o MESH.vtu] [--surface FILE.vtp] [--json FILE]
 // SURFACE is a file that ransmesh reads. Status 0: the mesh is valid; 1: it is not, or there is none; 2: wrong use.
 #include "Bodies/Cases.h"
 #include "Vtk/BodyPolyData.h"
@@ -74,6 +74,10 @@ Arguments parse(int argc, char** argv)
     else if (word == "--growth")
     {
       a.options.growth = std::stod(next());
+    }
+    else if (word == "--swap-angle")
+    {
+      a.options.swapAngle = std::stod(next());
     }
     else if (word == "--thickness")
     {

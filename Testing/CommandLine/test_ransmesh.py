@@ -205,6 +205,16 @@ class Options(CommandLineTest):
         kept = self.cells("--isotropic-only")
         self.assertGreater(self.cells("--isotropic-only", "--surface-size", "0.03"), 2 * kept)
 
+    def test_diagonals_are_swapped(self):
+        # A box with a cap in one side: a point near the middle of that side's diagonal.
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1), (0.5, 0.49, 1)]
+        corners = [(0, 2, 1), (0, 3, 2), (0, 1, 5), (0, 5, 4), (1, 2, 6), (1, 6, 5), (2, 3, 7), (2, 7, 6), (3, 0, 4),
+                   (3, 4, 7), (4, 5, 8), (5, 6, 8), (4, 8, 6), (4, 6, 7)]
+        box = self.file("cap.stl", surfaces.stl_text(points, {"box": corners}))
+        self.assertIn("1 diagonal of surface triangles swapped", self.succeeds(box, "--isotropic-only").stderr)
+        self.assertNotIn("swapped", self.succeeds(box, "--isotropic-only", "--swap-angle", "0").stderr)
+        self.fails(2, "--swap-angle must lie between 0 and 90", box, *LAYERS, "--swap-angle", "91", "-o", self.mesh)
+
     def test_quiet_and_threads(self):
         done = self.succeeds(NOSECONE, *LAYERS, "--far-field", "2", "--quiet", "--threads", "2")
         self.assertEqual(done.stdout + done.stderr, "")

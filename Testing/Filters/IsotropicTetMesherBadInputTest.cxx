@@ -210,6 +210,25 @@ TEST_F(BadInput, IsForgottenWhenTheInputIsMended)
   EXPECT_EQ(this->Problems()->GetNumberOfCells(), 0);
 }
 
+TEST_F(BadInput, SurfaceAngleOutOfRange)
+{
+  this->Mesher->SetMaximumSurfaceAngle(91);
+  EXPECT_TRUE(contains(
+    this->ErrorFor(TestSurfaces::Cube(0, 1)), "MaximumSurfaceAngle is 91; it must lie between 0 and 90"));
+}
+
+TEST_F(BadInput, FlatTrianglesAreSwappedWithAWarning)
+{
+  // One side of a cube is cut into a needle and a cap.
+  const auto cube = TestSurfaces::Triangles({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                                              { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.49, 1 } },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 },
+      { 3, 0, 4 }, { 3, 4, 7 }, { 4, 5, 8 }, { 5, 6, 8 }, { 4, 8, 6 }, { 4, 6, 7 } });
+  const std::string warning = this->WarningFor(cube);
+  EXPECT_TRUE(contains(warning, "1 diagonal of surface triangles swapped")) << warning;
+  EXPECT_TRUE(contains(warning, "above 175 degrees: 1 before, 0 after")) << warning;
+}
+
 TEST_F(BadInput, RemeshingWhereThreeTrianglesMeet)
 {
   this->Mesher->SetSurfaceEdgeLength(0.1);

@@ -22,6 +22,11 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   }
   mesher_->SetMaximumEdgeLength(options.size);
   mesher_->SetSurfaceEdgeLength(options.surfaceSize);
+  if (options.swapAngle >= 0)
+  {
+    mesher_->SetSwapSurfaceEdges(options.swapAngle > 0);
+    mesher_->SetMaximumSurfaceAngle(options.swapAngle);
+  }
   if (options.farField > 0)
   {
     const double margin = options.farField;

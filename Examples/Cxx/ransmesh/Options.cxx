@@ -50,14 +50,32 @@ private:
   std::size_t at_ = 0;
 };
 
-double lengthOf(Arguments& arguments, const std::string& option, double atLeast = 0)
+double finiteNumber(const std::string& word, const std::string& option)
 {
-  const std::string& word = arguments.valueOf(option);
   double value = 0;
   if (!Arguments::parseWhole(word, value) || !std::isfinite(value))
   {
     throw UsageError(option + " needs a number, not \"" + word + "\"");
   }
+  return value;
+}
+
+double angleOf(Arguments& arguments, const std::string& option, double most)
+{
+  const std::string& word = arguments.valueOf(option);
+  const double value = finiteNumber(word, option);
+  if (value < 0 || value > most)
+  {
+    throw UsageError(
+      option + " must lie between 0 and " + std::to_string(static_cast<int>(most)) + ", not " + word);
+  }
+  return value;
+}
+
+double lengthOf(Arguments& arguments, const std::string& option, double atLeast = 0)
+{
+  const std::string& word = arguments.valueOf(option);
+  const double value = finiteNumber(word, option);
   if (value <= 0 || value < atLeast)
   {
     throw UsageError(option +
@@ -103,6 +121,7 @@ const std::map<std::string, Reader>& readers()
     { "--wake", [](O& o, A& a, S& name) { o.wakes = valuesOf(a, name); } },
     { "--size", [](O& o, A& a, S& name) { o.size = lengthOf(a, name); } },
     { "--surface-size", [](O& o, A& a, S& name) { o.surfaceSize = lengthOf(a, name); } },
+    { "--swap-angle", [](O& o, A& a, S& name) { o.swapAngle = angleOf(a, name, 90); } },
     { "--walls", [](O& o, A& a, S& name) { o.walls = valuesOf(a, name); } },
     { "--first-height", [](O& o, A& a, S& name) { o.firstHeight = lengthOf(a, name); } },
     { "--growth", [](O& o, A& a, S& name) { o.growth = lengthOf(a, name, 1); } },
@@ -215,6 +234,8 @@ Domain
                         both sides; goes on to the next option
   --size L              largest edge in the field
   --surface-size L      size to which surfaces are remeshed (default: kept)
+  --swap-angle A        diagonals of very obtuse surface triangles are swapped where that turns the
+                        surface by at most A degrees (10); 0: all triangles are kept
 
 Layers
   --first-height H      first spacing normal to the walls; must be given

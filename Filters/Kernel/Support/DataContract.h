@@ -30,7 +30,8 @@ inline constexpr const char* Stretching = "Stretching";             // longest e
 inline constexpr const char* Quality = "Quality";                   // volume over rms edge cubed, 1 regular
 // Field data of the mesher's output.
 inline constexpr const char* MesherSwitches =
-  "MesherSwitches"; // string: the switches that TetGen was run with
+  "MesherSwitches";                                         // string: the switches that TetGen was run with
+inline constexpr const char* SurfaceSwaps = "SurfaceSwaps"; // vtkIdType: diagonals swapped in the surface
 // Point data of the boundary output of the enrichment, at wall points.
 inline constexpr const char* LayersAsked = "LayersAsked";                 // int
 inline constexpr const char* LayersAchieved = "LayersAchieved";           // int

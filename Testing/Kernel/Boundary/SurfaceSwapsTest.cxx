@@ -253,8 +253,10 @@ TEST(SurfaceSwaps, DoNotMakeTheSurfaceCutItself)
   surface.triangles.insert(surface.triangles.end(), needle.triangles.begin(), needle.triangles.end());
   surface.patch.insert(surface.patch.end(), needle.patch.begin(), needle.patch.end());
   ASSERT_TRUE(findIntersections(surface).empty());
-  swapDiagonals(surface, 30);
+  EXPECT_EQ(swapDiagonals(surface, 30).swaps, 0u);
   EXPECT_TRUE(findIntersections(surface).empty());
+  SurfaceMesh alone = lozenge(0.02);
+  EXPECT_EQ(swapDiagonals(alone, 30).swaps, 1u);
 }
 
 TEST(SurfaceSwaps, MendSpoiledCubesWhateverTheyLookLike)
