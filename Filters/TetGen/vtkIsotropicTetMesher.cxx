@@ -10,11 +10,11 @@
 #include "StageContext.h"
 
 #include "Boundary/FeatureSplit.h"
+#include "Boundary/FlatTriangles.h"
 #include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceCheck.h"
 #include "Boundary/SurfaceRemeshing.h"
 #include "Boundary/SurfaceSizes.h"
-#include "Boundary/SurfaceSwaps.h"
 #include "Support/DataContract.h"
 
 #include "vtkCompositeDataSet.h"
@@ -65,11 +65,11 @@ void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
   grid->GetFieldData()->AddArray(array);
 }
 
-void writeSwaps(vtkIdType swaps, vtkUnstructuredGrid* grid)
+void writeCount(const char* name, std::size_t count, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkIdTypeArray> array;
-  array->SetName(ransmesh::contract::SurfaceSwaps);
-  array->InsertNextValue(swaps);
+  array->SetName(name);
+  array->InsertNextValue(static_cast<vtkIdType>(count));
   grid->GetFieldData()->AddArray(array);
 }
 
@@ -143,7 +143,7 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "SurfaceEdgeLength: " << this->SurfaceEdgeLength << "\n";
-  os << indent << "SwapSurfaceEdges: " << this->SwapSurfaceEdges << "\n";
+  os << indent << "ImproveSurfaceTriangles: " << this->ImproveSurfaceTriangles << "\n";
   os << indent << "MaximumSurfaceAngle: " << this->MaximumSurfaceAngle << "\n";
   os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
   os << indent << "MaximumRadiusEdgeRatio: " << this->MaximumRadiusEdgeRatio << "\n";
@@ -414,32 +414,33 @@ bool vtkIsotropicTetMesher::MakeDomain(
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkIsotropicTetMesher::SwapDiagonals(ransmesh::Domain& domain)
+ransmesh::FlatTriangleReport vtkIsotropicTetMesher::ImproveTriangles(ransmesh::Domain& domain)
 {
-  if (!this->SwapSurfaceEdges)
+  if (!this->ImproveSurfaceTriangles)
   {
-    return 0;
+    return {};
   }
-  const ransmesh::SwapReport report =
-    ransmesh::swapDiagonals(domain.surface, this->MaximumSurfaceAngle, frozenPoints(domain));
+  const ransmesh::FlatTriangleReport report =
+    ransmesh::mendFlatTriangles(domain.surface, this->MaximumSurfaceAngle, frozenPoints(domain));
   if (report.isRefused)
   {
     vtkWarningMacro(
       "No diagonals of surface triangles were swapped, since the surface would cut itself then; "
       "try a smaller MaximumSurfaceAngle.");
   }
-  if (report.swaps > 0)
+  if (report.swaps + report.splits > 0)
   {
-    vtkWarningMacro(
-      "Mended: " << report.swaps << (report.swaps == 1 ? " diagonal" : " diagonals")
-                 << " of surface triangles swapped, no point moved, no new edge is farther than "
-                 << report.largestShift << " from that which it replaced; largest angle "
-                 << report.largestBefore << " degrees before, " << report.largestAfter
-                 << " after; triangles above " << ransmesh::FlatTriangleAngle
-                 << " degrees: " << report.flatBefore << " before, " << report.flatAfter
-                 << " after (SwapSurfaceEdges off keeps all triangles).");
+    vtkWarningMacro("Mended: " << report.swaps << (report.swaps == 1 ? " diagonal" : " diagonals")
+                               << " of surface triangles swapped and " << report.splits
+                               << (report.splits == 1 ? " edge" : " edges")
+                               << " split, no point moved, no new edge is farther than "
+                               << report.largestShift << " from that which it replaced; largest angle "
+                               << report.largestBefore << " degrees before, " << report.largestAfter
+                               << " after; triangles above " << ransmesh::FlatTriangleAngle
+                               << " degrees: " << report.flatBefore << " before, " << report.flatAfter
+                               << " after (ImproveSurfaceTriangles off keeps all triangles).");
   }
-  return static_cast<vtkIdType>(report.swaps);
+  return report;
 }
 
 //------------------------------------------------------------------------------
@@ -479,7 +480,7 @@ int vtkIsotropicTetMesher::RequestData(
   {
     return problems->GetNumberOfCells() > 0;
   }
-  const vtkIdType swaps = this->SwapDiagonals(domain);
+  const ransmesh::FlatTriangleReport improved = this->ImproveTriangles(domain);
   if (!this->DivideLongEdges(options, domain))
   {
     return 0;
@@ -504,6 +505,7 @@ int vtkIsotropicTetMesher::RequestData(
   }
   ransmesh::writeMesh(result.mesh, domain.patches, output);
   writeSwitches(result.switches, output);
-  writeSwaps(swaps, output);
+  writeCount(ransmesh::contract::SurfaceSwaps, improved.swaps, output);
+  writeCount(ransmesh::contract::SurfaceSplits, improved.splits, output);
   return 1;
 }

@@ -4,7 +4,7 @@
  *
  * First stage of the chain to a RANS mesh: meshes the domain that the input surfaces bound, or, with
  * FarField, the space between the input bodies and a box around them. The insides of bodies are found and
- * left empty. Surface triangles are kept, except that diagonals of very obtuse ones are swapped, that edges
+ * left empty. Surface triangles are kept, except that very obtuse ones are improved, that edges
  * longer than the wanted size are halved, and that surfaces are remeshed on demand; sizes in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
  * happens there becomes an error of this filter.
  *
@@ -13,7 +13,7 @@
  * Input 1 (optional, repeatable): sheets, in the same form, but open.
  * Output 0: the mesh by the data contract of the project: tetrahedra, then boundary triangles sorted by
  * patch and turned outward (those of sheets once, as they come), with PatchId, PatchNames, PatchTypes; field
- * data MesherSwitches and SurfaceSwaps.
+ * data MesherSwitches, SurfaceSwaps, SurfaceSplits.
  * Output 1: the triangles that are wrong with the surface, with Reason, PartnerId, PatchId. If these are
  * known, the filter reports the error and ends with an empty mesh, so that they can be shown.
  */
@@ -33,6 +33,7 @@ class vtkPolyData;
 namespace ransmesh
 {
 struct Domain;
+struct FlatTriangleReport;
 struct MeshingOptions;
 struct SurfaceInput;
 struct SurfaceMesh;
@@ -79,14 +80,15 @@ public:
 
   ///@{
   /**
-   * Whether the diagonal of two triangles of a patch is swapped where that lowers the largest of their angles
-   * and this is above 150 degrees: tetrahedra are no better than the triangles that they stand on. No point
-   * moves; patches of type interface stay as they are. Reported by a warning and by the field data
-   * SurfaceSwaps, the number of swaps. Default on.
+   * Whether very obtuse surface triangles are improved: tetrahedra are no better than the triangles that they
+   * stand on. The diagonal of two triangles of a patch is swapped where that lowers the largest of their
+   * angles and this is above 150 degrees; what is above 175 degrees then gets a point on its longest side.
+   * No point moves; patches of type interface stay as they are. Reported by a warning and by the field data
+   * SurfaceSwaps and SurfaceSplits, the numbers of swaps and of new points. Default on.
    */
-  vtkSetMacro(SwapSurfaceEdges, bool);
-  vtkGetMacro(SwapSurfaceEdges, bool);
-  vtkBooleanMacro(SwapSurfaceEdges, bool);
+  vtkSetMacro(ImproveSurfaceTriangles, bool);
+  vtkGetMacro(ImproveSurfaceTriangles, bool);
+  vtkBooleanMacro(ImproveSurfaceTriangles, bool);
   ///@}
 
   ///@{
@@ -211,7 +213,7 @@ protected:
 
   double MaximumEdgeLength = 0;
   double SurfaceEdgeLength = 0;
-  bool SwapSurfaceEdges = true;
+  bool ImproveSurfaceTriangles = true;
   double MaximumSurfaceAngle = 10;
   double SurfaceGrowthRate = 1.3;
   double MaximumRadiusEdgeRatio = 1.4;
@@ -244,8 +246,8 @@ private:
   bool PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
   // The surface with its sheets and the box around it. False, with the error reported, if that fails.
   bool MakeDomain(ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems);
-  // Swaps diagonals, if wanted, and reports it. Gives how many.
-  vtkIdType SwapDiagonals(ransmesh::Domain& domain);
+  // Betters very obtuse triangles, if wanted, and reports it.
+  ransmesh::FlatTriangleReport ImproveTriangles(ransmesh::Domain& domain);
   // Halves what is longer than the sizes. False, with the error reported, if the mesh would be too large.
   bool DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain);
 };

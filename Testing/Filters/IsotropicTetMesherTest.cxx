@@ -132,7 +132,7 @@ TEST(IsotropicTetMesher, KeepsFlatTrianglesOnDemand)
 {
   vtkNew<vtkIsotropicTetMesher> mesher;
   mesher->AddInputDataObject(boxOfNeedles());
-  mesher->SwapSurfaceEdgesOff();
+  mesher->ImproveSurfaceTrianglesOff();
   const MesherRun run(mesher);
   EXPECT_EQ(numberOfSwaps(mesher), 0);
   EXPECT_GT(largestAngleOf(run), 173);

@@ -24,7 +24,7 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   mesher_->SetSurfaceEdgeLength(options.surfaceSize);
   if (options.swapAngle >= 0)
   {
-    mesher_->SetSwapSurfaceEdges(options.swapAngle > 0);
+    mesher_->SetImproveSurfaceTriangles(options.swapAngle > 0);
     mesher_->SetMaximumSurfaceAngle(options.swapAngle);
   }
   if (options.farField > 0)

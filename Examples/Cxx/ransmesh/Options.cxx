@@ -234,8 +234,8 @@ Domain
                         both sides; goes on to the next option
   --size L              largest edge in the field
   --surface-size L      size to which surfaces are remeshed (default: kept)
-  --swap-angle A        diagonals of very obtuse surface triangles are swapped where that turns the
-                        surface by at most A degrees (10); 0: all triangles are kept
+  --swap-angle A        very obtuse surface triangles are improved by swaps that turn the surface by at
+                        most A degrees (10), and by points on their sides; 0: all triangles are kept
 
 Layers
   --first-height H      first spacing normal to the walls; must be given

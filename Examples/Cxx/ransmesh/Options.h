@@ -18,7 +18,7 @@ struct Options
   double farField = 0;    // body lengths on each side; 0: no far field
   double size = 0;        // 0: no limit
   double surfaceSize = 0; // 0: surfaces are kept
-  double swapAngle = -1;  // degrees; 0: no diagonals of the surface are swapped; negative: not given
+  double swapAngle = -1;  // degrees; 0: the surface triangles are kept; negative: not given
   double firstHeight = 0; // 0: not given
   double growth = 0;      // 0: not given
   double thickness = 0;   // 0: not given

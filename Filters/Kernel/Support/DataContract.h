@@ -32,6 +32,8 @@ inline constexpr const char* Quality = "Quality";                   // volume ov
 inline constexpr const char* MesherSwitches =
   "MesherSwitches";                                         // string: the switches that TetGen was run with
 inline constexpr const char* SurfaceSwaps = "SurfaceSwaps"; // vtkIdType: diagonals swapped in the surface
+inline constexpr const char* SurfaceSplits =
+  "SurfaceSplits"; // vtkIdType: edges split there at a corner's foot
 // Point data of the boundary output of the enrichment, at wall points.
 inline constexpr const char* LayersAsked = "LayersAsked";                 // int
 inline constexpr const char* LayersAchieved = "LayersAchieved";           // int

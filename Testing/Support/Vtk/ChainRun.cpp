@@ -203,7 +203,7 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   mesher->SetInputData(surface);
   mesher->SetFarField(options.farField);
   mesher->SetSurfaceEdgeLength(options.surfaceSize);
-  mesher->SetSwapSurfaceEdges(options.swapAngle > 0);
+  mesher->SetImproveSurfaceTriangles(options.swapAngle > 0);
   mesher->SetMaximumSurfaceAngle(options.swapAngle);
   removal->SetInputConnection(mesher->GetOutputPort());
   removal->SetFirstHeight(options.firstHeight);

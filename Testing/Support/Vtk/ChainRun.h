@@ -25,7 +25,7 @@ struct ChainOptions
   double growth = 1.2;
   int layers = 25;
   double surfaceSize = 0; // to which the surface is remeshed; 0: kept
-  double swapAngle = 10;  // how far swaps of the surface's diagonals may turn it, degrees; 0: no swaps
+  double swapAngle = 10;  // how far swaps of the surface's diagonals may turn it, degrees; 0: all are kept
 };
 
 struct ChainResult

@@ -1,0 +1,28 @@
+// Surfaces of very obtuse triangles, as CAD systems make them, get better ones of the same shape.
+#pragma once
+
+#include "Boundary/SurfaceSwaps.h"
+
+namespace ransmesh
+{
+struct FlatTriangleReport
+{
+  std::size_t swaps = 0;
+  std::size_t splits = 0;   // points added
+  double largestShift = 0;  // how far a swapped side lies from the one that it replaces, at most
+  double largestBefore = 0; // largest angle of a triangle, degrees
+  double largestAfter = 0;
+  std::size_t flatBefore = 0; // triangles with an angle above FlatTriangleAngle
+  std::size_t flatAfter = 0;
+  bool isRefused = false; // no swaps: with them the surface would cut itself
+};
+
+// Swaps diagonals (swapDiagonals). What is still above FlatTriangleAngle then is obtuse against a ridge or the
+// border of a patch: there the longest side is split at the foot of the opposite corner, in all triangles
+// that meet at it, and diagonals are swapped again, a few times. New points lie on sides, but for rounding, so
+// splits do not change the shape. Sides between two points with `keep` (a flag a point, or none) stay.
+FlatTriangleReport mendFlatTriangles(SurfaceMesh& surface, double angle, std::vector<char> keep = {});
+
+// The splits alone, each triangle taking part in one at most. Gives how many points were added at the end.
+std::size_t splitFlatTriangles(SurfaceMesh& surface, const std::vector<char>& keep);
+} // namespace ransmesh
