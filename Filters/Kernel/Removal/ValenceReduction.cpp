@@ -24,6 +24,11 @@ void ValenceReduction::beginOnWall(Index v, const RemovalLimits& limits, const V
 
 bool ValenceReduction::swapOnWall(Index v, Index end, const RemovalLimits& limits, const Vector3& normal)
 {
+  const std::vector<char>& frozen = rules_.classification.frozen;
+  if (frozen[v] && frozen[end]) // perhaps on an interface, whose triangles stay
+  {
+    return false;
+  }
   vertex_ = v;
   limits_ = limits;
   onWall_ = true;

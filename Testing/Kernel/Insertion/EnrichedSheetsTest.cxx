@@ -171,22 +171,26 @@ TEST_F(EnrichedSheets, ASheetWithoutLayersIsFrozen)
 TEST_F(EnrichedSheets, RemovalKeepsAFinThatStandsInTheFloorsLayers)
 {
   patches_[5].type = PatchType::Wall;
-  mesh_ = grid_mesh::make({ 12, 12, 12 });
-  grid_mesh::addSheet(
-    mesh_, [](const Vector3& p) { return isAtHalf(p.x) && p.z < 0.5 && p.y > 0.25 && p.y < 0.75; });
-  MeshData mesh = mesh_;
-  const LayerPlan plan = enrichment_checks::planFor(8, { 5, 7 }, 0.02, 5);
-  OpenedSheets opened;
-  ASSERT_TRUE(openSheets(mesh, opened).ok());
-  TetMesh built = invariants::build(mesh);
-  const RemovalResult result = removePoints(built, withFrozenSheets(patches_, opened.patches), plan, {}, {});
-  ASSERT_TRUE(result.outcome.ok()) << result.outcome.message;
-  EXPECT_GT(result.removed, 100u);
-  MeshData after = toMeshData(built);
-  std::vector<Index> number;
-  const Outcome outcome = closeSheets(after, opened.patches, number);
-  ASSERT_TRUE(outcome.ok()) << outcome.message;
-  invariants::expectKept(mesh_, after);
+  for (const double height : { 0.5, 0.1, 0.2 }) // low ones have edges from their foot to their free border
+  {
+    mesh_ = grid_mesh::make({ 12, 12, 12 });
+    grid_mesh::addSheet(mesh_,
+      [height](const Vector3& p) { return isAtHalf(p.x) && p.z < height && p.y > 0.25 && p.y < 0.75; });
+    MeshData mesh = mesh_;
+    const LayerPlan plan = enrichment_checks::planFor(8, { 5, 7 }, 0.02, 5);
+    OpenedSheets opened;
+    ASSERT_TRUE(openSheets(mesh, opened).ok());
+    TetMesh built = invariants::build(mesh);
+    const RemovalResult result =
+      removePoints(built, withFrozenSheets(patches_, opened.patches), plan, {}, {});
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.message;
+    EXPECT_GT(result.removed, 100u);
+    MeshData after = toMeshData(built);
+    std::vector<Index> number;
+    const Outcome outcome = closeSheets(after, opened.patches, number);
+    ASSERT_TRUE(outcome.ok()) << outcome.message;
+    invariants::expectKept(mesh_, after);
+  }
 }
 
 TEST_F(EnrichedSheets, RemovalKeepsBothSidesAlike)
