@@ -29,6 +29,8 @@ REAL = (
     ("elbow_90degree.obj.gz", 4.4e-4, False, ("bend*", "ring*", "fixed*")),
     ("aneurysm_capped.obj.gz", 6e-4, False, ("wall",)),
 )
+# Those whose triangles are needles once more, with surfaces of triangles of one size.
+REMESHED = (("hifire4_flyer.stl.gz", 0.06), ("basic_finner.stl.gz", 0.1))
 REAL_GOALS = {"inserted": 0.9999, "full": 0.98, "175": 0.002, "179": 0.0005}
 COLUMNS = ("case", "h0", "inserted of requested", "of asked", "full columns (smooth points)", "> 175° (layers)", "> 179°",
            "wall copies", "area with h0", "valid", "left by removal", "seconds", "why columns stopped")
@@ -56,6 +58,8 @@ def all_rows(args):
         options += ["--far-field"] if far_field else []
         options += ["--walls", *walls] if walls else []
         rows.append((file.split(".")[0], options, REAL_GOALS))
+        rows += [(file.split(".")[0] + "-remeshed", options + ["--size", str(size)], REAL_GOALS)
+                 for name, size in REMESHED if name == file]
     return [row for row in rows if any(fnmatch.fnmatch(row[0], p) for p in args.cases or ["*"])]
 
 
