@@ -1,5 +1,6 @@
 #include "Improvement/LocalImprovement.h"
 
+#include "Geometry/Predicates.h"
 #include "Geometry/TetrahedronMeasures.h"
 
 #include <algorithm>
@@ -214,13 +215,24 @@ bool LocalImprovement::moveOnto(Index v, const Vector3& place, double wanted)
   for (double fraction = 0.9; fraction > shortest; fraction *= 0.6)
   {
     mesh_.movePoint(v, from + fraction * step);
-    if (allAbove(wanted))
+    if (allAbove(wanted) && allPositive())
     {
       return true;
     }
   }
   mesh_.movePoint(v, from);
   return false;
+}
+
+// The shape of a flat one may be positive by rounding.
+bool LocalImprovement::allPositive() const
+{
+  return std::all_of(tets_.begin(), tets_.end(),
+    [this](Index t)
+    {
+      const auto& v = mesh_.tet(t).vertex;
+      return isPositive(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
+    });
 }
 
 // Are the shapes of all tetrahedra in tets_ above wanted? One that is not is asked first the next time.

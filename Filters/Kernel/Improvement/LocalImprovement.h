@@ -66,6 +66,7 @@ private:
   Vector3 meanNeighbour(Index v) const;
   bool moveOnto(Index v, const Vector3& place, double wanted);
   bool allAbove(double wanted);
+  bool allPositive() const;
 
   TetMesh& mesh_;
   const BoundaryRules& rules_;
