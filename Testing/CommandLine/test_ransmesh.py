@@ -213,6 +213,7 @@ class Options(CommandLineTest):
         box = self.file("cap.stl", surfaces.stl_text(points, {"box": corners}))
         self.assertIn("1 diagonal of surface triangles swapped", self.succeeds(box, "--isotropic-only").stderr)
         self.assertNotIn("swapped", self.succeeds(box, "--isotropic-only", "--swap-angle", "0").stderr)
+        os.remove(self.mesh)
         self.fails(2, "--swap-angle must lie between 0 and 90", box, *LAYERS, "--swap-angle", "91", "-o", self.mesh)
 
     def test_quiet_and_threads(self):
