@@ -341,7 +341,8 @@ void addCornerPoints(const std::vector<CornerPoint>& points, const TetMesh& mesh
 std::string RemovalResult::text() const
 {
   return std::to_string(marked) + " points in the layers' region, " + std::to_string(removed) + " removed, " +
-    std::to_string(remaining.size()) + " remain";
+    std::to_string(remaining.size()) + " remain" +
+    (remainingOnWalls > 0 ? ", of these " + std::to_string(remainingOnWalls) + " on walls in corners" : "");
 }
 
 RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
