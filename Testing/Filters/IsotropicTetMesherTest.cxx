@@ -128,6 +128,25 @@ TEST(IsotropicTetMesher, SwapsDiagonalsOfFlatTriangles)
   EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 0.01, 1e-15);
 }
 
+TEST(IsotropicTetMesher, SplitsFlatTrianglesAgainstRidges)
+{
+  // A thin bar; the bottom has a point on one long edge only.
+  const auto bar =
+    TestSurfaces::Triangles({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0.01, 0 }, { 0.4, 0.01, 0 }, { 0, 0.01, 0 },
+                              { 0, 0, 0.1 }, { 1, 0, 0.1 }, { 1, 0.01, 0.1 }, { 0, 0.01, 0.1 } },
+      { { 0, 3, 1 }, { 1, 3, 2 }, { 0, 4, 3 }, { 5, 6, 7 }, { 5, 7, 8 }, { 0, 1, 6 }, { 0, 6, 5 },
+        { 2, 3, 7 }, { 3, 8, 7 }, { 3, 4, 8 }, { 1, 2, 7 }, { 1, 7, 6 }, { 4, 0, 5 }, { 4, 5, 8 } });
+  vtkNew<vtkIsotropicTetMesher> mesher;
+  mesher->AddInputDataObject(bar);
+  const MesherRun run(mesher);
+  const auto* splits = vtkIdTypeArray::SafeDownCast(
+    mesher->GetOutput()->GetFieldData()->GetAbstractArray(ransmesh::contract::SurfaceSplits));
+  ASSERT_TRUE(splits);
+  EXPECT_GT(splits->GetValue(0), 0);
+  EXPECT_LE(largestAngleOf(run), 175);
+  EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 0.001, 1e-15);
+}
+
 TEST(IsotropicTetMesher, KeepsFlatTrianglesOnDemand)
 {
   vtkNew<vtkIsotropicTetMesher> mesher;
