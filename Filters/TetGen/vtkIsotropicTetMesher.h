@@ -82,7 +82,7 @@ public:
   /**
    * Whether very obtuse surface triangles are improved: tetrahedra are no better than the triangles that they
    * stand on. The diagonal of two triangles of a patch is swapped where that lowers the largest of their
-   * angles and this is above 150 degrees; what is above 175 degrees then gets a point on its longest side.
+   * angles and this is above 150 degrees; what is above 177 degrees then gets a point on its longest side.
    * No point moves; patches of type interface stay as they are. Reported by a warning and by the field data
    * SurfaceSwaps and SurfaceSplits, the numbers of swaps and of new points. Default on.
    */

@@ -10,14 +10,14 @@ namespace
 // More rounds gain little and make shorter and shorter edges: each split may need another next to it.
 constexpr int MostRounds = 4;
 
-// The triangles above FlatTriangleAngle, the worst first.
+// The triangles above SplitTriangleAngle, the worst first.
 std::vector<Index> flatTriangles(const SurfaceMesh& surface)
 {
   std::vector<std::pair<double, Index>> flat;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const double angle = largestAngle(surface, surface.triangles[t]);
-    if (angle > FlatTriangleAngle)
+    if (angle > SplitTriangleAngle)
     {
       flat.emplace_back(-angle, static_cast<Index>(t));
     }
@@ -130,7 +130,7 @@ FlatTriangleReport mendFlatTriangles(SurfaceMesh& surface, double angle, std::ve
   report.isRefused = swapped.isRefused;
   report.swaps = swapped.swaps;
   report.largestShift = swapped.largestShift;
-  for (int round = 0; swapped.flatAfter > 0 && round < MostRounds; ++round)
+  for (int round = 0; swapped.largestAfter > SplitTriangleAngle && round < MostRounds; ++round)
   {
     report.splits += splitFlatTriangles(surface, keep);
     keep.resize(surface.points.size(), 0);

@@ -17,7 +17,12 @@ struct FlatTriangleReport
   bool isRefused = false; // no swaps: with them the surface would cut itself
 };
 
-// Swaps diagonals (swapDiagonals). What is still above FlatTriangleAngle then is obtuse against a ridge or the
+// Triangles above this angle, in degrees, are split where no swap betters them. It is wider than
+// FlatTriangleAngle, since the short edges that splits make cost layers in corners: splits from 175 degrees on
+// cost a finned missile, whose triangles had 175.5, one column point in a hundred.
+inline constexpr double SplitTriangleAngle = 177;
+
+// Swaps diagonals (swapDiagonals). What is still above SplitTriangleAngle then is obtuse against a ridge or the
 // border of a patch: there the longest side is split at the foot of the opposite corner, in all triangles
 // that meet at it, and diagonals are swapped again, a few times. New points lie on sides, but for rounding, so
 // splits do not change the shape. Sides between two points with `keep` (a flag a point, or none) stay.
