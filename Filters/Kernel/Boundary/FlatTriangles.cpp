@@ -10,14 +10,15 @@ namespace
 // More rounds gain little and make shorter and shorter edges: each split may need another next to it.
 constexpr int MostRounds = 4;
 
-// The triangles above SplitTriangleAngle, the worst first.
+// The triangles to be split, the worst first.
 std::vector<Index> flatTriangles(const SurfaceMesh& surface)
 {
+  const double shortest = ShortestSplit * extentOf(surface.points).largestLength();
   std::vector<std::pair<double, Index>> flat;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const double angle = largestAngle(surface, surface.triangles[t]);
-    if (angle > SplitTriangleAngle)
+    if (angle > SplitTriangleAngle && smallestHeight(surface, surface.triangles[t]) >= shortest)
     {
       flat.emplace_back(-angle, static_cast<Index>(t));
     }

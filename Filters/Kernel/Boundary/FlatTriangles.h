@@ -22,6 +22,10 @@ struct FlatTriangleReport
 // cost a finned missile, whose triangles had 175.5, one column point in a hundred.
 inline constexpr double SplitTriangleAngle = 177;
 
+// The new edge from foot to corner must be at least this part of the surface's largest extent: on a wing of
+// needles of a millionth of its chord, TetGen could not tell shorter ones apart.
+inline constexpr double ShortestSplit = 2e-5;
+
 // Swaps diagonals (swapDiagonals). What is still above SplitTriangleAngle then is obtuse against a ridge or the
 // border of a patch: there the longest side is split at the foot of the opposite corner, in all triangles
 // that meet at it, and diagonals are swapped again, a few times. New points lie on sides, but for rounding, so
