@@ -11,6 +11,13 @@ int cornerOf(const BaseFace& face, Index vertex)
 {
   return face.vertex[0] == vertex ? 0 : face.vertex[1] == vertex ? 1 : 2;
 }
+
+// Beside those of the corner's own column.
+std::size_t pointsInGrid(int levels, int walls)
+{
+  const auto size = static_cast<std::size_t>(levels) + 1;
+  return (walls == 3 ? size * size * size : size * size) - size;
+}
 } // namespace
 
 Vector3 normalOf(const std::array<Vector3, 3>& triangle)
@@ -30,26 +37,18 @@ CornerChoice::CornerChoice(const TetMesh& mesh, const ColumnSet& set, const std:
     const Column& c = set.columns[set.corners[i].column];
     ofColumn_[set.corners[i].column] = static_cast<Index>(i);
     // A stuck top is not where the grid would have it.
-    states_[i].active = c.levels > 0 && mesh.point(c.vertex) == set.pointAt(c, c.levels);
+    const bool isStuck = c.levels > 0 && mesh.point(c.vertex) != set.pointAt(c, c.levels);
+    states_[i].active = c.levels > 0 && !isStuck;
+    report_.planned += c.levels > 0;
+    report_.lostPoints += isStuck ? pointsInGrid(c.levels, set.corners[i].walls) : 0;
   }
   findEdges();
 }
 
-bool CornerChoice::any() const
+std::size_t CornerChoice::count() const
 {
-  return std::any_of(states_.begin(), states_.end(), [](const CornerState& s) { return s.active; });
-}
-
-std::size_t CornerChoice::countPoints() const
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < states_.size(); ++i)
-  {
-    const auto size = static_cast<std::size_t>(set_.columns[set_.corners[i].column].levels) + 1;
-    const std::size_t layers = set_.corners[i].walls == 3 ? size : 1;
-    count += states_[i].active ? size * size * layers - size : 0;
-  }
-  return count;
+  return static_cast<std::size_t>(
+    std::count_if(states_.begin(), states_.end(), [](const CornerState& s) { return s.active; }));
 }
 
 void CornerChoice::settle()

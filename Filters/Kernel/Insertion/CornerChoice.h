@@ -5,10 +5,19 @@
 #include "Layers/Column.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace ransmesh
 {
+struct GridReport
+{
+  std::size_t planned = 0; // corners that have layers
+  // Of them. The rest has no room: the layers are too thick for the ridge's neighbours, or the walls too round.
+  std::size_t made = 0;
+  std::size_t lostPoints = 0; // of grids whose corner's top got stuck
+};
+
 // Unit; zero for a triangle without area.
 Vector3 normalOf(const std::array<Vector3, 3>& triangle);
 
@@ -20,12 +29,12 @@ public:
   // mesh: with the front where it is to stay; corners whose tops are not at their full height have no grid.
   CornerChoice(const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces);
 
-  bool any() const;
+  // How many corners have their grids.
+  std::size_t count() const;
   void drop(Index corner) { states_[corner].active = false; }
   // Drops corners until those that remain agree with their neighbours.
   void settle();
-  // The points of the grids beside the corners' own columns.
-  std::size_t countPoints() const;
+  const GridReport& report() const { return report_; }
 
   // The corner that the face's column j has its grid at, or None.
   Index at(const BaseFace& face, int j) const
@@ -65,6 +74,7 @@ private:
   const std::vector<BaseFace>& faces_;
   std::vector<Index> ofColumn_;
   std::vector<CornerState> states_;
+  GridReport report_;
   std::vector<FrontEdge> edges_;
   std::vector<Index> edgeOf_; // 3 * face + corner opposite
 };

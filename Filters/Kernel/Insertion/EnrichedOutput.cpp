@@ -118,7 +118,8 @@ std::vector<char> replacedTriangles(
 void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMesh& result)
 {
   reservePoints(result.mesh.points.size() + tensor.points.size(), result);
-  result.report.pointsRequested += tensor.planned;
+  result.report.grids = tensor.report;
+  result.report.pointsRequested += tensor.points.size() + tensor.report.lostPoints;
   result.report.pointsInserted += tensor.points.size();
   MeshData& data = result.mesh;
   for (std::size_t i = 0; i < tensor.points.size(); ++i)

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Boundary/Patch.h"
+#include "Insertion/CornerChoice.h"
 #include "Insertion/FanOpening.h"
 #include "Insertion/FrontRaising.h"
 #include "Layers/Column.h"
@@ -47,6 +48,7 @@ struct EnrichmentReport
   std::size_t restarts = 0;     // times that folded stacks were lowered and the stage began anew
   std::array<std::size_t, static_cast<std::size_t>(StopReason::Count)> columnsByReason{};
   FanReport fans;
+  GridReport grids;
   RaisingReport raising;
 };
 

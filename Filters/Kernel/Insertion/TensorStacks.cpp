@@ -2,7 +2,6 @@
 
 #include "Geometry/Angles.h"
 #include "Geometry/Predicates.h"
-#include "Insertion/CornerChoice.h"
 #include "Insertion/TensorGrid.h"
 
 #include <algorithm>
@@ -349,12 +348,13 @@ TensorStacks makeTensorStacks(const TetMesh& mesh, const ColumnSet& set, const s
     return none;
   }
   CornerChoice choice(mesh, set, faces);
+  none.report = choice.report();
   choice.settle();
-  none.planned = choice.countPoints();
-  while (choice.any())
+  while (choice.count() > 0)
   {
     TensorStacks made;
-    made.planned = none.planned;
+    made.report = none.report;
+    made.report.made = choice.count();
     const std::vector<Index> failed =
       StackMaker(mesh, set, faces, numbers, baseNumber, choice, points, made).run(maximumSurfaceAngle);
     if (failed.empty())

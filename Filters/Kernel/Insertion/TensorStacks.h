@@ -9,6 +9,7 @@
 #pragma once
 
 #include "Insertion/BaseFaces.h"
+#include "Insertion/CornerChoice.h"
 #include "Insertion/LayerStacks.h"
 
 #include <deque>
@@ -40,7 +41,7 @@ struct TensorStacks
   std::vector<char> replaced;    // by number of base face: its stack is among these
   std::vector<Vector3> points;   // of the grids, to follow those that are there
   std::vector<GridPoint> origin; // of each of these points
-  std::size_t planned = 0;       // points of all grids that agree with their neighbours
+  GridReport report;
   std::deque<std::vector<Index>> chains;
 };
 

@@ -28,6 +28,8 @@ void expectGrids(const EnrichedMesh& enriched, const Counts& counts, std::size_t
   EXPECT_EQ(enriched.report.pointsRequested,
     counts.columns * k + counts.ridgePoints * inRidgeGrid + counts.triplePoints * inTripleGrid);
   EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+  EXPECT_EQ(enriched.report.grids.planned, counts.ridgePoints + counts.triplePoints);
+  EXPECT_EQ(enriched.report.grids.made, enriched.report.grids.planned);
 }
 
 bool hasPoint(const EnrichedMesh& enriched, const Vector3& x)
