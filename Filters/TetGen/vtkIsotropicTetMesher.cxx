@@ -480,15 +480,29 @@ int vtkIsotropicTetMesher::RequestData(
   {
     return problems->GetNumberOfCells() > 0;
   }
-  const ransmesh::FlatTriangleReport improved = this->ImproveTriangles(domain);
+  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+  const ransmesh::Context context = ransmesh::makeContext(this);
+  const ransmesh::Domain asGiven = domain;
+  ransmesh::FlatTriangleReport improved = this->ImproveTriangles(domain);
   if (!this->DivideLongEdges(options, domain))
   {
     return 0;
   }
   ransmesh::MeshingResult result;
-  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
-  const ransmesh::Outcome outcome =
-    ransmesh::meshDomain(domain, options, worker, ransmesh::makeContext(this), result);
+  ransmesh::Outcome outcome = ransmesh::meshDomain(domain, options, worker, context, result);
+  if (!outcome.ok() && outcome.kind != ransmesh::Outcome::Kind::Cancelled &&
+    improved.swaps + improved.splits > 0)
+  {
+    vtkWarningMacro("TetGen does not mesh the mended surface triangles: they are kept as they were given.");
+    improved = {};
+    result = {};
+    domain = asGiven;
+    if (!this->DivideLongEdges(options, domain))
+    {
+      return 0;
+    }
+    outcome = ransmesh::meshDomain(domain, options, worker, context, result);
+  }
   if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
     return 1; // as the user wished: an empty mesh, no error
