@@ -25,6 +25,7 @@ std::vector<Index> flatTriangles(const SurfaceMesh& surface)
   }
   std::sort(flat.begin(), flat.end());
   std::vector<Index> triangles;
+  triangles.reserve(flat.size());
   for (const auto& [angle, t] : flat)
   {
     triangles.push_back(t);

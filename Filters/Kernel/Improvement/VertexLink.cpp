@@ -191,7 +191,8 @@ double VertexLink::grow(int apex, double floor, std::size_t budget, const Bounda
   const double squareOfApex = dot(place, place);
   const double floorSquare = floor * std::fabs(floor);
   double worst = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < faces_.size(); ++i)
+  // They become more as the loop goes.
+  for (std::size_t i = 0; i < faces_.size(); ++i) // NOLINT(modernize-loop-convert)
   {
     const HalfFace beyond = faces_[i].beyond;
     if (isInside(beyond) || faces_[i].has(apex))

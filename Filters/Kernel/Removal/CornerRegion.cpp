@@ -166,7 +166,8 @@ private:
     seen_.clear(mesh_.boundarySlots());
     seen_.set(edge.face);
     faces_.assign(1, edge.face);
-    for (std::size_t i = 0; i < faces_.size(); ++i)
+    // They become more as the loop goes.
+    for (std::size_t i = 0; i < faces_.size(); ++i) // NOLINT(modernize-loop-convert)
     {
       const auto v = mesh_.boundaryVertices(faces_[i]);
       for (int j = 0; j < 3; ++j)

@@ -242,7 +242,8 @@ public:
   void run()
   {
     startFromWalls();
-    for (std::size_t i = 0; i < inside_.size(); ++i)
+    // They become more as the loop goes.
+    for (std::size_t i = 0; i < inside_.size(); ++i) // NOLINT(modernize-loop-convert)
     {
       passOn(inside_[i]);
     }

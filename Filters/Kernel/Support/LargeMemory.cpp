@@ -17,7 +17,7 @@ void preferLargePages(void* begin, std::size_t bytes)
   if (first < last)
   {
     // Without large pages the memory serves as well.
-    static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
+    static_cast<void>(madvise(static_cast<char*>(begin) + (first - address), last - first, MADV_HUGEPAGE));
   }
 }
 #else
