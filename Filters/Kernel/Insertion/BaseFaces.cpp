@@ -5,6 +5,16 @@
 
 namespace ransmesh
 {
+std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
+{
+  std::array<Vector3, 3> points;
+  for (int j = 0; j < 3; ++j)
+  {
+    points[j] = face.column[j] == None ? mesh.point(face.vertex[j]) : set.columns[face.column[j]].base;
+  }
+  return points;
+}
+
 bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace)
 {
   const int patch = mesh.boundaryFace(boundaryFace).patch;

@@ -42,6 +42,9 @@ private:
   bool distinct_;
 };
 
+// Where the face's corners stand on the wall.
+std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face);
+
 // Does the face carry layers: has it a standing column for which its patch is not a side?
 bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace);
 

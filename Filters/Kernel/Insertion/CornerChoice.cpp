@@ -69,16 +69,6 @@ void CornerChoice::settle()
   }
 }
 
-std::array<Vector3, 3> CornerChoice::basePoints(const BaseFace& face) const
-{
-  std::array<Vector3, 3> p;
-  for (int j = 0; j < 3; ++j)
-  {
-    p[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
-  }
-  return p;
-}
-
 bool CornerChoice::isRidge(Index face, int j) const
 {
   const Index e = edgeOf_[3 * static_cast<std::size_t>(face) + static_cast<std::size_t>(j)];

@@ -47,7 +47,10 @@ public:
   {
     return set_.corners[corner].wallOf(normalOf(basePoints(face)));
   }
-  std::array<Vector3, 3> basePoints(const BaseFace& face) const;
+  std::array<Vector3, 3> basePoints(const BaseFace& face) const
+  {
+    return ransmesh::basePoints(mesh_, set_, face);
+  }
   // Is the edge opposite to corner j of a face a ridge at one of its ends?
   bool isRidge(Index face, int j) const;
 

@@ -60,11 +60,7 @@ bool Front::slabIsPositive(const BaseFace& face) const
 
 bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const
 {
-  std::array<Vector3, 3> current;
-  for (int j = 0; j < 3; ++j)
-  {
-    current[j] = face.column[j] == None ? mesh_.point(face.vertex[j]) : set_.columns[face.column[j]].base;
-  }
+  std::array<Vector3, 3> current = basePoints(mesh_, set_, face);
   BaseCorners corners(face.root);
   for (const int corner : face.rise)
   {

@@ -33,16 +33,6 @@ bool topsAreAsPlanned(const TetMesh& mesh, const ColumnSet& set, const BaseFace&
     });
 }
 
-std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face)
-{
-  std::array<Vector3, 3> points;
-  for (int j = 0; j < 3; ++j)
-  {
-    points[j] = face.column[j] == None ? mesh.point(face.vertex[j]) : set.columns[face.column[j]].base;
-  }
-  return points;
-}
-
 bool isFolded(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face, Tops tops = Tops::InMesh)
 {
   if ((tops == Tops::AsPlanned || topsAreAsPlanned(mesh, set, face)) && isSurelyPositive(mesh, set, face))
