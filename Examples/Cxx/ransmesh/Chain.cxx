@@ -20,19 +20,8 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   {
     mesher_->AddSheetData(sheets);
   }
-  mesher_->SetMaximumEdgeLength(options.size);
-  mesher_->SetSurfaceEdgeLength(options.surfaceSize);
-  if (options.swapAngle >= 0)
-  {
-    mesher_->SetImproveSurfaceTriangles(options.swapAngle > 0);
-    mesher_->SetMaximumSurfaceAngle(options.swapAngle);
-  }
-  if (options.farField > 0)
-  {
-    const double margin = options.farField;
-    mesher_->FarFieldOn();
-    mesher_->SetFarFieldMargins(margin, margin, margin, margin, margin, margin);
-  }
+  describeSurfaces();
+  describeDomain();
   removal_->SetInputConnection(mesher_->GetOutputPort());
   describeLayers(removal_.Get());
   // The enrichment takes the layers that the removal made room for: they travel with the mesh.
@@ -50,6 +39,27 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
 }
 
 Chain::~Chain() = default;
+
+void Chain::describeSurfaces()
+{
+  mesher_->SetSurfaceEdgeLength(options_.surfaceSize);
+  if (options_.swapAngle >= 0)
+  {
+    mesher_->SetImproveSurfaceTriangles(options_.swapAngle > 0);
+    mesher_->SetMaximumSurfaceAngle(options_.swapAngle);
+  }
+}
+
+void Chain::describeDomain()
+{
+  mesher_->SetMaximumEdgeLength(options_.size);
+  if (options_.farField > 0)
+  {
+    const double margin = options_.farField;
+    mesher_->FarFieldOn();
+    mesher_->SetFarFieldMargins(margin, margin, margin, margin, margin, margin);
+  }
+}
 
 template <typename Filter>
 void Chain::describeLayers(Filter* filter) const

@@ -51,6 +51,8 @@ public:
   const std::vector<std::string>& warnings() const { return messages_->warnings(); }
 
 private:
+  void describeSurfaces();
+  void describeDomain();
   template <typename Filter>
   void describeLayers(Filter* filter) const;
   void runStage(const std::string& name, vtkAlgorithm* filter);

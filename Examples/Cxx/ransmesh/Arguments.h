@@ -1,0 +1,57 @@
+// The words of a command line, read one after the other; what does not fit throws UsageError.
+#pragma once
+
+#include "Options.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace commandline
+{
+// The arguments that have not been read yet.
+class Arguments
+{
+public:
+  explicit Arguments(const std::vector<std::string>& words)
+    : words_(words)
+  {
+  }
+
+  bool atEnd() const { return at_ == words_.size(); }
+  bool atValue() const { return !atEnd() && (words_[at_].empty() || words_[at_][0] != '-'); }
+  bool atNumber() const;
+  const std::string& next() { return words_[at_++]; }
+  const std::string& valueOf(const std::string& option);
+
+private:
+  const std::vector<std::string>& words_;
+  std::size_t at_ = 0;
+};
+
+double finiteNumber(const std::string& word, const std::string& option);
+double angleOf(Arguments& arguments, const std::string& option, double most); // degrees, 0 to most
+double positiveOf(Arguments& arguments, const std::string& option, double atLeast = 0);
+int countOf(Arguments& arguments, const std::string& option); // above 0
+// One or more values, up to the next option.
+std::vector<std::string> valuesOf(Arguments& arguments, const std::string& option);
+
+bool endsWith(const std::string& text, const std::string& end);
+
+// What an option does with the words that follow it.
+using Reader = std::function<void(Options&, Arguments&, const std::string&)>;
+
+// Options of one kind: how they are read, what is asked of them together, how --help describes them.
+struct OptionGroup
+{
+  std::map<std::string, Reader> readers;
+  void (*check)(const Options&);
+  const char* help;
+};
+
+const OptionGroup& surfaceOptions(); // files, what is done to the surfaces
+const OptionGroup& domainOptions();  // what bounds the domain, sizes within it
+const OptionGroup& layerOptions();   // layers, and the flow they are for
+const OptionGroup& outputOptions();  // files written, what is told
+} // namespace commandline

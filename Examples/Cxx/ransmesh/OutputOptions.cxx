@@ -1,0 +1,51 @@
+#include "Arguments.h"
+
+namespace commandline
+{
+namespace
+{
+void check(const Options& options)
+{
+  if (options.output.empty())
+  {
+    throw UsageError("no mesh file is given: add -o MESH.vtu");
+  }
+  if (!endsWith(options.output, ".vtu"))
+  {
+    throw UsageError("-o writes .vtu files only, not " + options.output);
+  }
+  if (!options.problems.empty() && !endsWith(options.problems, ".vtp"))
+  {
+    throw UsageError("--problems writes .vtp files only, not " + options.problems);
+  }
+}
+} // namespace
+
+const OptionGroup& outputOptions()
+{
+  using O = Options;
+  using A = Arguments;
+  using S = const std::string;
+  static const OptionGroup group = {
+    {
+      { "-o", [](O& o, A& a, S& name) { o.output = a.valueOf(name); } },
+      { "--report", [](O& o, A& a, S& name) { o.report = a.valueOf(name); } },
+      { "--problems", [](O& o, A& a, S& name) { o.problems = a.valueOf(name); } },
+      { "--threads", [](O& o, A& a, S& name) { o.threads = countOf(a, name); } },
+      { "--quiet", [](O& o, A&, S&) { o.quiet = true; } },
+      { "--help", [](O& o, A&, S&) { o.help = true; } },
+      { "-h", [](O& o, A&, S&) { o.help = true; } },
+      { "--version", [](O& o, A&, S&) { o.version = true; } },
+    },
+    check, R"(
+Reports
+  --report FILE.json    what was asked for, what came out, times, quality
+  --problems FILE.vtp   where the surface cannot be meshed: keep the offending triangles
+  --threads N           accepted; has no effect yet: every stage runs on one thread
+  --quiet               print nothing but errors
+  --version, --help
+)"
+  };
+  return group;
+}
+} // namespace commandline
