@@ -1,4 +1,4 @@
-# The installed package: find_package(RANSMeshing) gives RANSMeshing::Core, ::TetGen, ::BoundaryLayer.
+# The installed package: find_package(RANSMeshing) gives RANSMeshing::Core, ::Surface, ::TetGen, ::BoundaryLayer.
 include(CMakePackageConfigHelpers)
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/Filters/CMake/RANSMeshingConfig.cmake.in"

@@ -8,5 +8,6 @@ import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
 
+from .RANSMeshingSurface import *
 from .RANSMeshingTetGen import *
 from .RANSMeshingBoundaryLayer import *

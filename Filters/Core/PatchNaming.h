@@ -4,6 +4,8 @@
 #include "Boundary/Patch.h"
 #include "Support/Outcome.h"
 
+#include "RANSMeshingCoreModule.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,12 +15,13 @@ namespace ransmesh
 // The type that a name suggests by one of its words: wall, symmetry, farfield, inlet, outlet, wake,
 // interface and common short forms of them, in any case; else `patch`. Words are parted by signs,
 // digits and changes from lower to upper case: "SymmPlane_2" is a symmetry, "asymptote" is not.
-PatchType guessType(const std::string& name);
+RANSMESHINGCORE_EXPORT PatchType guessType(const std::string& name);
 
 // Sets the types of the patches that the patterns take: a name, a name with the wildcards * and ?, or a
 // number; later rules win. BadInput for an unknown type, or a pattern that takes no patch.
-Outcome setTypes(const std::vector<std::pair<std::string, std::string>>& typeOfPattern, PatchTable& patches);
+RANSMESHINGCORE_EXPORT Outcome setTypes(
+  const std::vector<std::pair<std::string, std::string>>& typeOfPattern, PatchTable& patches);
 
 // Whether sheets (by patch number) have types that a sheet can have: wake, wall, interface or patch.
-Outcome checkSheetTypes(const PatchTable& patches, const std::vector<char>& isSheet);
+RANSMESHINGCORE_EXPORT Outcome checkSheetTypes(const PatchTable& patches, const std::vector<char>& isSheet);
 } // namespace ransmesh

@@ -3,12 +3,14 @@
 
 #include "Boundary/SurfaceCheck.h"
 
+#include "RANSMeshingCoreModule.h"
+
 class vtkPolyData;
 
 namespace ransmesh
 {
 // One triangle a finding, with the cell arrays Reason, PartnerId (the cell number of the partner here, or
 // -1) and PatchId, and the field data ReasonNames. No findings: an empty output with these arrays.
-void writeProblems(
+RANSMESHINGCORE_EXPORT void writeProblems(
   const SurfaceMesh& surface, const std::vector<SurfaceFinding>& findings, vtkPolyData* output);
 } // namespace ransmesh

@@ -5,6 +5,8 @@
 #include "Boundary/SurfaceMesh.h"
 #include "Support/Outcome.h"
 
+#include "RANSMeshingCoreModule.h"
+
 #include <vector>
 
 class vtkDataObject;
@@ -28,6 +30,6 @@ struct SurfaceInput
 // number. Types come from PatchTypes, else from the names.
 // Sheets are read in the same way, into patches of their own; where nothing tells, they are named wake and
 // of type wake.
-Outcome readSurface(const std::vector<vtkDataObject*>& surfaces, const std::vector<vtkDataObject*>& sheets,
-  SurfaceInput& result);
+RANSMESHINGCORE_EXPORT Outcome readSurface(const std::vector<vtkDataObject*>& surfaces,
+  const std::vector<vtkDataObject*>& sheets, SurfaceInput& result);
 } // namespace ransmesh
