@@ -1,20 +1,13 @@
 #include "vtkIsotropicTetMesher.h"
 
-#include "DomainMeshing.h"
-#include "PatchNaming.h"
+#include "DomainPreparation.h"
+#include "DomainRefinement.h"
 #include "ProblemOutput.h"
-#include "SurfaceInput.h"
 #include "WorkerLocation.h"
 
 #include "MeshConversion.h"
 #include "StageContext.h"
 
-#include "Boundary/FeatureSplit.h"
-#include "Boundary/FlatTriangles.h"
-#include "Boundary/SheetAttachment.h"
-#include "Boundary/SurfaceCheck.h"
-#include "Boundary/SurfaceRemeshing.h"
-#include "Boundary/SurfaceSizes.h"
 #include "Support/DataContract.h"
 
 #include "vtkCompositeDataSet.h"
@@ -30,7 +23,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -45,18 +37,6 @@ struct vtkIsotropicTetMesher::Internals
 
 namespace
 {
-// The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
-void makeBodiesWalls(ransmesh::PatchTable& patches)
-{
-  for (std::size_t i = 1; i < patches.size(); ++i)
-  {
-    if (patches[i].type == ransmesh::PatchType::Patch)
-    {
-      patches[i].type = ransmesh::PatchType::Wall;
-    }
-  }
-}
-
 void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkStringArray> array;
@@ -71,45 +51,6 @@ void writeCount(const char* name, std::size_t count, vtkUnstructuredGrid* grid)
   array->SetName(name);
   array->InsertNextValue(static_cast<vtkIdType>(count));
   grid->GetFieldData()->AddArray(array);
-}
-
-// A flag a point: whether it lies on a patch of type interface, which must not change.
-std::vector<char> frozenPoints(const ransmesh::Domain& domain)
-{
-  std::vector<char> isFrozen(domain.surface.points.size(), 0);
-  for (std::size_t t = 0; t < domain.surface.triangles.size(); ++t)
-  {
-    if (domain.patches[domain.surface.patch[t]].type == ransmesh::PatchType::Interface)
-    {
-      for (const ransmesh::Index v : domain.surface.triangles[t])
-      {
-        isFrozen[v] = 1;
-      }
-    }
-  }
-  return isFrozen;
-}
-
-std::optional<ransmesh::Extent> extentOfBox(const ransmesh::Domain& domain)
-{
-  return domain.box ? std::optional(ransmesh::Extent{ domain.box->corners[0], domain.box->corners[7] })
-                    : std::nullopt;
-}
-
-// Of the space between the bodies and the box, or, without a box, inside the surface.
-double domainVolume(const ransmesh::Domain& domain)
-{
-  const double inside = ransmesh::enclosedVolume(ransmesh::withoutSheets(domain.surface, domain.isSheet));
-  const auto box = extentOfBox(domain);
-  return box ? box->length(0) * box->length(1) * box->length(2) - inside : inside;
-}
-
-ransmesh::FarFieldBox boxAround(
-  const ransmesh::SurfaceMesh& bodies, const double margins[6], ransmesh::PatchTable& patches)
-{
-  std::array<double, 6> six;
-  std::copy_n(margins, 6, six.begin());
-  return ransmesh::makeFarField(ransmesh::extentOf(bodies.points), six, patches);
 }
 
 std::vector<vtkDataObject*> dataOf(vtkInformationVector* inputs)
@@ -304,159 +245,40 @@ std::string vtkIsotropicTetMesher::FindWorker()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::ReadSurface(
-  vtkInformationVector* surfaces, vtkInformationVector* sheets, ransmesh::SurfaceInput& input)
+ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
 {
-  const ransmesh::Outcome outcome = ransmesh::readSurface(dataOf(surfaces), dataOf(sheets), input);
-  if (!outcome.ok())
-  {
-    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
-  }
-  return outcome.ok();
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::Accept(
-  const ransmesh::SurfaceVerdict& verdict, const ransmesh::SurfaceMesh& surface, vtkPolyData* problems)
-{
-  for (const std::string& repair : verdict.repairs)
-  {
-    vtkWarningMacro("Mended: " << repair << ".");
-  }
-  if (!verdict.outcome.ok())
-  {
-    vtkErrorMacro(<< "Cannot mesh: " << verdict.outcome.message << ".");
-    ransmesh::writeProblems(surface, verdict.findings, problems);
-  }
-  return verdict.outcome.ok();
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
-{
-  const ransmesh::SurfaceVerdict verdict = ransmesh::mendAndCheck(input.surface, input.patches);
-  return this->Accept(verdict, input.surface, problems);
-}
-
-//------------------------------------------------------------------------------
-ransmesh::MeshingOptions vtkIsotropicTetMesher::GetOptions() const
-{
-  ransmesh::MeshingOptions options;
-  options.limits.maximum = this->MaximumEdgeLength;
-  options.limits.slope = this->SurfaceGrowthRate - 1;
-  options.limits.boxes = this->Lists->Boxes;
-  options.limits.spheres = this->Lists->Spheres;
-  options.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
-  options.minimumDihedral = this->MinimumDihedralAngle;
-  return options;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems)
-{
-  if (this->PatchFromFeatureAngle)
-  {
-    for (const int patch : input.wholePieces)
-    {
-      ransmesh::splitByAngle(input.surface, input.patches, patch, this->FeatureAngle);
-    }
-  }
-  if (this->SurfaceEdgeLength > 0)
-  {
-    const ransmesh::Outcome outcome =
-      ransmesh::remeshSurface(input.surface, this->SurfaceEdgeLength, this->FeatureAngle);
-    if (!outcome.ok())
-    {
-      vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
-      return false;
-    }
-    if (!this->CheckSurface(input, problems))
-    {
-      vtkErrorMacro("Remeshing to edges of "
-        << this->SurfaceEdgeLength
-        << " spoiled the surface: details of it are smaller. Choose a smaller SurfaceEdgeLength.");
-      return false;
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::MakeDomain(
-  ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems)
-{
+  ransmesh::MesherSettings settings;
+  settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
+  settings.featureAngle = this->FeatureAngle;
+  settings.surfaceEdgeLength = this->SurfaceEdgeLength;
+  settings.improveTriangles = this->ImproveSurfaceTriangles;
+  settings.surfaceAngle = this->MaximumSurfaceAngle;
   if (this->FarField)
   {
-    makeBodiesWalls(input.patches);
-    domain.box = boxAround(input.surface, this->FarFieldMargins, input.patches);
+    settings.farFieldMargins.emplace();
+    std::copy_n(this->FarFieldMargins, 6, settings.farFieldMargins->begin());
   }
-  input.isSheet.resize(input.patches.size(), 0);
-  ransmesh::Outcome outcome = ransmesh::setTypes(this->Lists->TypeOfPattern, input.patches);
-  if (outcome.ok())
-  {
-    outcome = ransmesh::checkSheetTypes(input.patches, input.isSheet);
-  }
-  if (!outcome.ok())
-  {
-    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
-    return false;
-  }
-  domain.surface = std::move(input.surface);
-  domain.patches = std::move(input.patches);
-  domain.isSheet = std::move(input.isSheet);
-  if (input.sheets.triangles.empty())
-  {
-    return true;
-  }
-  const ransmesh::SurfaceVerdict verdict =
-    ransmesh::attachSheets(domain.surface, std::move(input.sheets), domain.patches, extentOfBox(domain));
-  return this->Accept(verdict, domain.surface, problems);
+  settings.typeOfPattern = this->Lists->TypeOfPattern;
+  settings.meshing.limits.maximum = this->MaximumEdgeLength;
+  settings.meshing.limits.slope = this->SurfaceGrowthRate - 1;
+  settings.meshing.limits.boxes = this->Lists->Boxes;
+  settings.meshing.limits.spheres = this->Lists->Spheres;
+  settings.meshing.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
+  settings.meshing.minimumDihedral = this->MinimumDihedralAngle;
+  return settings;
 }
 
 //------------------------------------------------------------------------------
-ransmesh::FlatTriangleReport vtkIsotropicTetMesher::ImproveTriangles(ransmesh::Domain& domain)
+int vtkIsotropicTetMesher::Refuse(
+  const ransmesh::Outcome& outcome, const ransmesh::MesherReport& report, vtkPolyData* problems)
 {
-  if (!this->ImproveSurfaceTriangles)
+  if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
-    return {};
+    return 1; // as the user wished: an empty mesh, no error
   }
-  const ransmesh::FlatTriangleReport report =
-    ransmesh::mendFlatTriangles(domain.surface, this->MaximumSurfaceAngle, frozenPoints(domain));
-  if (report.isRefused)
-  {
-    vtkWarningMacro(
-      "No diagonals of surface triangles were swapped, since the surface would cut itself then; "
-      "try a smaller MaximumSurfaceAngle.");
-  }
-  if (report.swaps + report.splits > 0)
-  {
-    vtkWarningMacro("Mended: " << report.swaps << (report.swaps == 1 ? " diagonal" : " diagonals")
-                               << " of surface triangles swapped and " << report.splits
-                               << (report.splits == 1 ? " edge" : " edges")
-                               << " split, no point moved, no new edge is farther than "
-                               << report.largestShift << " from that which it replaced; largest angle "
-                               << report.largestBefore << " degrees before, " << report.largestAfter
-                               << " after; triangles above " << ransmesh::FlatTriangleAngle
-                               << " degrees: " << report.flatBefore << " before, " << report.flatAfter
-                               << " after (ImproveSurfaceTriangles off keeps all triangles).");
-  }
-  return report;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIsotropicTetMesher::DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain)
-{
-  const auto limit = [&options](const ransmesh::Vector3& x) { return options.limits.at(x); };
-  const double wanted = this->MaximumEdgeLength;
-  const double tets = wanted > 0 ? 8.5 * domainVolume(domain) / (wanted * wanted * wanted) : 0;
-  constexpr double mostTets = 4e8;
-  if (tets > mostTets || !ransmesh::halveLongEdges(domain.surface, limit))
-  {
-    vtkErrorMacro("Cannot mesh: the sizes that are asked for make too large a mesh (more than 400 million "
-                  "tetrahedra, or 20 million surface triangles); ask for larger edges.");
-    return false;
-  }
-  return true;
+  vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
+  ransmesh::writeProblems(report.problemSurface, report.problems, problems);
+  return !report.problems.empty(); // where the faults can be shown, the pipeline goes on to show them
 }
 
 //------------------------------------------------------------------------------
@@ -467,59 +289,36 @@ int vtkIsotropicTetMesher::RequestData(
   auto* problems = vtkPolyData::GetData(outputVector, 1);
   ransmesh::writeProblems({}, {}, problems);
   const std::string program = this->OptionsAreValid() ? this->FindWorker() : "";
+  if (program.empty())
+  {
+    return 0;
+  }
+  ransmesh::MesherReport report;
+  report.remark = [this](const std::string& text) { vtkWarningMacro(<< text); };
+
   ransmesh::SurfaceInput input;
-  if (program.empty() || !this->ReadSurface(inputVector[0], inputVector[1], input))
-  {
-    return 0;
-  }
-  // Where the faults can be shown, the pipeline goes on to show them.
-  const ransmesh::MeshingOptions options = this->GetOptions();
-  ransmesh::Domain domain;
-  if (!this->CheckSurface(input, problems) || !this->PrepareSurface(input, problems) ||
-    !this->MakeDomain(input, domain, problems))
-  {
-    return problems->GetNumberOfCells() > 0;
-  }
-  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
-  const ransmesh::Context context = ransmesh::makeContext(this);
-  const ransmesh::Domain asGiven = domain;
-  ransmesh::FlatTriangleReport improved = this->ImproveTriangles(domain);
-  if (!this->DivideLongEdges(options, domain))
-  {
-    return 0;
-  }
-  ransmesh::MeshingResult result;
-  ransmesh::Outcome outcome = ransmesh::meshDomain(domain, options, worker, context, result);
-  if (!outcome.ok() && outcome.kind != ransmesh::Outcome::Kind::Cancelled &&
-    improved.swaps + improved.splits > 0)
-  {
-    vtkWarningMacro("TetGen does not mesh the mended surface triangles: they are kept as they were given.");
-    improved = {};
-    result = {};
-    domain = asGiven;
-    if (!this->DivideLongEdges(options, domain))
-    {
-      return 0;
-    }
-    outcome = ransmesh::meshDomain(domain, options, worker, context, result);
-  }
-  if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
-  {
-    return 1; // as the user wished: an empty mesh, no error
-  }
+  ransmesh::Outcome outcome = ransmesh::readSurface(dataOf(inputVector[0]), dataOf(inputVector[1]), input);
   if (!outcome.ok())
   {
-    vtkErrorMacro(<< "Cannot mesh: " << outcome.message << ".");
-    ransmesh::writeProblems(result.problemSurface, result.problems, problems);
-    return !result.problems.empty();
+    return this->Refuse(outcome, report, problems);
   }
-  for (const std::string& remark : result.remarks)
+  const ransmesh::MesherSettings settings = this->GetSettings();
+  ransmesh::Domain domain;
+  outcome = ransmesh::prepareDomain(settings, std::move(input), domain, report);
+  if (!outcome.ok())
   {
-    vtkWarningMacro(<< remark);
+    return this->Refuse(outcome, report, problems);
   }
-  ransmesh::writeMesh(result.mesh, domain.patches, output);
-  writeSwitches(result.switches, output);
-  writeCount(ransmesh::contract::SurfaceSwaps, improved.swaps, output);
-  writeCount(ransmesh::contract::SurfaceSplits, improved.splits, output);
+  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+  ransmesh::DomainMesh made;
+  outcome = ransmesh::refineAndMesh(settings, domain, worker, ransmesh::makeContext(this), made, report);
+  if (!outcome.ok())
+  {
+    return this->Refuse(outcome, report, problems);
+  }
+  ransmesh::writeMesh(made.mesh, domain.patches, output);
+  writeSwitches(made.switches, output);
+  writeCount(ransmesh::contract::SurfaceSwaps, made.triangles.swaps, output);
+  writeCount(ransmesh::contract::SurfaceSplits, made.triangles.splits, output);
   return 1;
 }

@@ -32,12 +32,9 @@ class vtkPolyData;
 
 namespace ransmesh
 {
-struct Domain;
-struct FlatTriangleReport;
-struct MeshingOptions;
-struct SurfaceInput;
-struct SurfaceMesh;
-struct SurfaceVerdict;
+struct MesherReport;
+struct MesherSettings;
+struct Outcome;
 } // namespace ransmesh
 
 class RANSMESHINGTETGEN_EXPORT vtkIsotropicTetMesher : public vtkUnstructuredGridAlgorithm
@@ -234,22 +231,9 @@ private:
 
   bool OptionsAreValid();
   std::string FindWorker();
-  bool ReadSurface(
-    vtkInformationVector* surfaces, vtkInformationVector* sheets, ransmesh::SurfaceInput& input);
-  // Reports what a check of the surface said.
-  bool Accept(
-    const ransmesh::SurfaceVerdict& verdict, const ransmesh::SurfaceMesh& surface, vtkPolyData* problems);
-  // False, with the error reported and the triangles that are wrong in `problems`, if it cannot be meshed.
-  bool CheckSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
-  ransmesh::MeshingOptions GetOptions() const;
-  // Patches and triangles as the options want them. False, with the error reported, if that fails.
-  bool PrepareSurface(ransmesh::SurfaceInput& input, vtkPolyData* problems);
-  // The surface with its sheets and the box around it. False, with the error reported, if that fails.
-  bool MakeDomain(ransmesh::SurfaceInput& input, ransmesh::Domain& domain, vtkPolyData* problems);
-  // Betters very obtuse triangles, if wanted, and reports it.
-  ransmesh::FlatTriangleReport ImproveTriangles(ransmesh::Domain& domain);
-  // Halves what is longer than the sizes. False, with the error reported, if the mesh would be too large.
-  bool DivideLongEdges(const ransmesh::MeshingOptions& options, ransmesh::Domain& domain);
+  ransmesh::MesherSettings GetSettings() const;
+  // Reports why there is no mesh, and shows the triangles that are wrong. Gives RequestData's answer.
+  int Refuse(const ransmesh::Outcome& outcome, const ransmesh::MesherReport& report, vtkPolyData* problems);
 };
 
 #endif

@@ -1,0 +1,25 @@
+// What the user wants of the mesher, as plain values.
+#pragma once
+
+#include "DomainMeshing.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ransmesh
+{
+struct MesherSettings
+{
+  bool patchFromFeatureAngle = false;
+  double featureAngle = 30;     // degrees
+  double surfaceEdgeLength = 0; // 0: the surface triangles are kept
+  bool improveTriangles = true;
+  double surfaceAngle = 10; // degrees, how far swaps may turn the surface
+  std::optional<std::array<double, 6>> farFieldMargins;
+  std::vector<std::pair<std::string, std::string>> typeOfPattern;
+  MeshingOptions meshing;
+};
+} // namespace ransmesh
