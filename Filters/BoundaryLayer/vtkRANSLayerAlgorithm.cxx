@@ -1,5 +1,6 @@
 #include "vtkRANSLayerAlgorithm.h"
 
+#include "Layers/FlowConditions.h"
 #include "Layers/LayerPlanning.h"
 #include "MeshConversion.h"
 #include "WallSelection.h"
@@ -21,6 +22,16 @@ struct vtkRANSLayerAlgorithm::Internals
 
 vtkRANSLayerAlgorithm::vtkRANSLayerAlgorithm()
   : FirstHeight(0)
+  , Velocity(0)
+  , ReynoldsNumber(0)
+  , ReferenceLength(0)
+  , LengthUnit(1)
+  , YPlus(ransmesh::defaults::yPlus)
+  , Fluid(AIR)
+  , Density(ransmesh::fluids::air.density)
+  , Viscosity(ransmesh::fluids::air.viscosity)
+  , SkinFrictionLaw(SCHLICHTING)
+  , ThicknessFromFlow(false)
   , GrowthRate(ransmesh::defaults::growthRate)
   , NumberOfLayers(ransmesh::defaults::numberOfLayers)
   , TotalThickness(0)
@@ -79,7 +90,8 @@ vtkMTimeType vtkRANSLayerAlgorithm::GetMTime()
 
 bool vtkRANSLayerAlgorithm::UsesRecordedPlan() const
 {
-  return this->FirstHeight == 0 && this->Rules->WallPatterns.empty() && this->Rules->PatchLayers.empty();
+  return this->FirstHeight == 0 && !this->Flow().areGiven() && this->Rules->WallPatterns.empty() &&
+    this->Rules->PatchLayers.empty();
 }
 
 void vtkRANSLayerAlgorithm::OverrideRecorded(ransmesh::LayerSpecification& s) const
@@ -121,17 +133,97 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::AdaptRecorded(
   return ransmesh::Outcome::done();
 }
 
+ransmesh::FlowConditions vtkRANSLayerAlgorithm::Flow() const
+{
+  ransmesh::FlowConditions flow;
+  flow.velocity = this->Velocity;
+  flow.reynoldsNumber = this->ReynoldsNumber;
+  flow.referenceLength = this->ReferenceLength;
+  flow.lengthUnit = this->LengthUnit;
+  flow.yPlus = this->YPlus;
+  flow.law = static_cast<ransmesh::SkinFrictionLaw>(this->SkinFrictionLaw);
+  flow.fluid = this->Fluid == AIR ? ransmesh::fluids::air
+    : this->Fluid == WATER        ? ransmesh::fluids::water
+                                  : ransmesh::Fluid{ this->Density, this->Viscosity };
+  return flow;
+}
+
+ransmesh::FlowEstimate vtkRANSLayerAlgorithm::Estimate() const
+{
+  ransmesh::FlowEstimate estimate;
+  ransmesh::estimateFlow(this->Flow(), estimate); // its errors are told by CheckFlow
+  return estimate;
+}
+
+double vtkRANSLayerAlgorithm::GetEstimatedReynoldsNumber() const
+{
+  return this->Estimate().reynoldsNumber;
+}
+
+double vtkRANSLayerAlgorithm::GetEstimatedSkinFriction() const
+{
+  return this->Estimate().skinFriction;
+}
+
+double vtkRANSLayerAlgorithm::GetEstimatedFrictionVelocity() const
+{
+  return this->Estimate().frictionVelocity;
+}
+
+double vtkRANSLayerAlgorithm::GetEstimatedFirstHeight() const
+{
+  return this->Estimate().firstHeight;
+}
+
+double vtkRANSLayerAlgorithm::GetEstimatedBoundaryLayerThickness() const
+{
+  return this->Estimate().thickness;
+}
+
+int vtkRANSLayerAlgorithm::GetPlannedNumberOfLayers() const
+{
+  const ransmesh::LayerSpecification general = ransmesh::generalSpecification(this->MakeRequest());
+  return ransmesh::checkSpecification(general, "").ok() ? general.numberOfLayers : 0;
+}
+
+double vtkRANSLayerAlgorithm::GetPlannedTotalThickness() const
+{
+  const ransmesh::LayerSpecification general = ransmesh::generalSpecification(this->MakeRequest());
+  return ransmesh::checkSpecification(general, "").ok() ? ransmesh::LayerHeights(general).thickness() : 0;
+}
+
+ransmesh::Outcome vtkRANSLayerAlgorithm::CheckFlow()
+{
+  const ransmesh::FlowConditions flow = this->Flow();
+  if (!flow.areGiven())
+  {
+    return this->ThicknessFromFlow
+      ? ransmesh::Outcome::badInput("ThicknessFromFlow needs flow conditions: set Velocity or ReynoldsNumber")
+      : ransmesh::Outcome::done();
+  }
+  ransmesh::FlowEstimate estimate;
+  const ransmesh::Outcome outcome = ransmesh::estimateFlow(flow, estimate);
+  if (outcome.ok() && !estimate.isWithinRange)
+  {
+    vtkWarningMacro(<< "the Reynolds number " << estimate.reynoldsNumber
+                    << " is outside the range that the law of " << ransmesh::nameOf(flow.law)
+                    << " was made for: the first height is a rough guess");
+  }
+  return outcome;
+}
+
 ransmesh::LayerRequest vtkRANSLayerAlgorithm::MakeRequest() const
 {
+  const ransmesh::FlowEstimate estimate = this->Estimate();
   ransmesh::LayerRequest request;
-  request.general.firstHeight = this->FirstHeight;
+  request.general.firstHeight = this->Flow().areGiven() ? estimate.firstHeight : this->FirstHeight;
   request.general.growthRate = this->GrowthRate;
   request.general.numberOfLayers = this->NumberOfLayers;
   request.general.constantLayers = this->ConstantLayers;
   request.general.isotropicFraction = this->IsotropicFraction;
   request.general.normalAngle = this->NormalAngle;
   request.general.fanAngle = this->FanAngle;
-  request.totalThickness = this->TotalThickness;
+  request.totalThickness = this->ThicknessFromFlow ? estimate.thickness : this->TotalThickness;
   request.wallPatterns = this->Rules->WallPatterns;
   request.patchLayers = this->Rules->PatchLayers;
   request.choices = this->Rules->Walls.choices();
@@ -152,8 +244,12 @@ int vtkRANSLayerAlgorithm::RequestInformation(
 
 ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& mesh,
   const std::vector<ransmesh::Patch>& patches, vtkFieldData* recorded,
-  std::vector<ransmesh::LayerSpecification>& plan) const
+  std::vector<ransmesh::LayerSpecification>& plan)
 {
+  if (auto outcome = this->CheckFlow(); !outcome.ok())
+  {
+    return outcome;
+  }
   const ransmesh::LayerPlan before =
     this->UsesRecordedPlan() ? ransmesh::readPlan(recorded) : ransmesh::LayerPlan();
   const bool isRecorded = before.size() == patches.size();
@@ -189,6 +285,16 @@ void vtkRANSLayerAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FirstHeight: " << this->FirstHeight << "\n";
+  os << indent << "Velocity: " << this->Velocity << "\n";
+  os << indent << "ReynoldsNumber: " << this->ReynoldsNumber << "\n";
+  os << indent << "ReferenceLength: " << this->ReferenceLength << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "YPlus: " << this->YPlus << "\n";
+  os << indent << "Fluid: " << this->Fluid << "\n";
+  os << indent << "Density: " << this->Density << "\n";
+  os << indent << "Viscosity: " << this->Viscosity << "\n";
+  os << indent << "SkinFrictionLaw: " << this->SkinFrictionLaw << "\n";
+  os << indent << "ThicknessFromFlow: " << this->ThicknessFromFlow << "\n";
   os << indent << "GrowthRate: " << this->GrowthRate << "\n";
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "TotalThickness: " << this->TotalThickness << "\n";

@@ -23,6 +23,8 @@ class vtkFieldData;
 namespace ransmesh
 {
 struct Context;
+struct FlowConditions;
+struct FlowEstimate;
 struct MeshData;
 struct Outcome;
 struct LayerRequest;
@@ -39,10 +41,104 @@ public:
   ///@{
   /**
    * Normal spacing of the first layer, h0 > 0, in the unit of the surface. Default 0: not given; it
-   * must be given here, by SetPatchLayers, or by an earlier filter of the chain.
+   * must be given here, follow from flow conditions, or be given by SetPatchLayers or by an earlier filter of
+   * the chain.
    */
   vtkSetMacro(FirstHeight, double);
   vtkGetMacro(FirstHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Flow conditions in place of a first height: it follows from the y+ of the first point above the wall and
+   * the friction on a flat plate at the reference length. Where Velocity or ReynoldsNumber is
+   * given, FirstHeight has no effect. Solvers that store at cell centres see half the height.
+   *
+   * Velocity: of the outer flow, in m/s, > 0. Default 0: not given.
+   * ReynoldsNumber: of the reference length, in place of velocity, fluid and length unit. Default 0: not given.
+   * ReferenceLength: distance from the leading edge, in the unit of the surface. Default 0: must be given.
+   * LengthUnit: metres in one unit of the surface. Default 1.
+   * YPlus: > 0. Default 1.
+   */
+  vtkSetMacro(Velocity, double);
+  vtkGetMacro(Velocity, double);
+  vtkSetMacro(ReynoldsNumber, double);
+  vtkGetMacro(ReynoldsNumber, double);
+  vtkSetMacro(ReferenceLength, double);
+  vtkGetMacro(ReferenceLength, double);
+  vtkSetMacro(LengthUnit, double);
+  vtkGetMacro(LengthUnit, double);
+  vtkSetMacro(YPlus, double);
+  vtkGetMacro(YPlus, double);
+  ///@}
+
+  enum FluidType
+  {
+    AIR,         ///< 1.225 kg/m3, 1.7894e-5 Pa s: 15 degrees C, 101 325 Pa (ISO 2533)
+    WATER,       ///< 998.2 kg/m3, 1.0016e-3 Pa s: fresh, 20 degrees C
+    CUSTOM_FLUID ///< Density and Viscosity as set
+  };
+
+  ///@{
+  /**
+   * The fluid that flows. Density (kg/m3) and Viscosity (dynamic, Pa s) are used for CUSTOM_FLUID only; their
+   * defaults are those of air. Default AIR.
+   */
+  vtkSetClampMacro(Fluid, int, AIR, CUSTOM_FLUID);
+  vtkGetMacro(Fluid, int);
+  vtkSetMacro(Density, double);
+  vtkGetMacro(Density, double);
+  vtkSetMacro(Viscosity, double);
+  vtkGetMacro(Viscosity, double);
+  ///@}
+
+  enum SkinFrictionLawType
+  {
+    SCHLICHTING,    ///< (2 log10 Re - 0.65)^-2.3; Re up to 1e9
+    POWER_LAW,      ///< 0.0592 Re^-1/5; Re 5e5 to 1e7
+    SCHULTZ_GRUNOW, ///< 0.370 (log10 Re)^-2.584; Re 1e6 to 1e9
+    LAMINAR         ///< 0.664 Re^-1/2 (Blasius); Re up to 5e5
+  };
+
+  ///@{
+  /**
+   * Which correlation gives the local skin friction coefficient (Schlichting, Boundary-Layer Theory, chapter 21;
+   * Blasius). Default SCHLICHTING.
+   */
+  vtkSetClampMacro(SkinFrictionLaw, int, SCHLICHTING, LAMINAR);
+  vtkGetMacro(SkinFrictionLaw, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the layers are to be as thick together as the boundary layer at the reference length,
+   * 0.37 Re^-1/5 (laminar: 5 Re^-1/2) of it; needs flow conditions. Default off.
+   */
+  vtkSetMacro(ThicknessFromFlow, bool);
+  vtkGetMacro(ThicknessFromFlow, bool);
+  vtkBooleanMacro(ThicknessFromFlow, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What follows from the flow conditions as they are set now; 0 where they are not given or impossible.
+   * EstimatedFrictionVelocity is in m/s, or a fraction of the velocity where only the Reynolds number is given;
+   * the lengths are in the unit of the surface.
+   */
+  double GetEstimatedReynoldsNumber() const;
+  double GetEstimatedSkinFriction() const;
+  double GetEstimatedFrictionVelocity() const;
+  double GetEstimatedFirstHeight() const;
+  double GetEstimatedBoundaryLayerThickness() const;
+  ///@}
+
+  ///@{
+  /**
+   * How many layers are asked for, and how thick they are together in the unit of the surface, where no patch
+   * has layers of its own; 0 where no first height is given here.
+   */
+  int GetPlannedNumberOfLayers() const;
+  double GetPlannedTotalThickness() const;
   ///@}
 
   ///@{
@@ -159,7 +255,7 @@ protected:
    * The specification of each patch, from the options or from the input's field data.
    */
   ransmesh::Outcome PlanLayers(const ransmesh::MeshData& mesh, const std::vector<ransmesh::Patch>& patches,
-    vtkFieldData* recorded, std::vector<ransmesh::LayerSpecification>& plan) const;
+    vtkFieldData* recorded, std::vector<ransmesh::LayerSpecification>& plan);
 
   /**
    * What RequestData returns for an outcome that is no success, the outputs being left empty: 0, with an
@@ -168,6 +264,16 @@ protected:
   int Refuse(const ransmesh::Outcome& outcome);
 
   double FirstHeight;
+  double Velocity;
+  double ReynoldsNumber;
+  double ReferenceLength;
+  double LengthUnit;
+  double YPlus;
+  int Fluid;
+  double Density;
+  double Viscosity;
+  int SkinFrictionLaw;
+  bool ThicknessFromFlow;
   double GrowthRate;
   int NumberOfLayers;
   double TotalThickness;
@@ -183,6 +289,9 @@ private:
   void operator=(const vtkRANSLayerAlgorithm&) = delete;
 
   bool UsesRecordedPlan() const;
+  ransmesh::FlowConditions Flow() const;
+  ransmesh::FlowEstimate Estimate() const;
+  ransmesh::Outcome CheckFlow();
   ransmesh::LayerRequest MakeRequest() const;
   ransmesh::Outcome AdaptRecorded(
     const std::vector<ransmesh::Patch>& patches, std::vector<ransmesh::LayerSpecification>& plan) const;

@@ -241,6 +241,42 @@ class Options(CommandLineTest):
             self.assertEqual(file.read(), "older")
 
 
+class Flow(CommandLineTest):
+    AIR = ["--velocity", "50", "--length", "1", "--fluid", "air"]
+
+    def test_the_first_height_follows(self):
+        done = self.succeeds(NOSECONE, "--far-field", "2", *self.AIR, "--y-plus", "30", "--layers", "5", "--report",
+                             self.path("report.json"))
+        self.assertIn("Flow: Re 3.423e+06, Cf 0.003045 (schlichting), u_tau 1.951 m/s, first height 0.0002246",
+                      done.stdout)
+        flow = self.read_report()["flow"]
+        self.assertAlmostEqual(flow["first_height"] / (30 * 7.4869996e-6), 1, 6)
+        self.assertAlmostEqual(flow["boundary_layer_thickness"], 0.01825248, 7)
+        self.assertEqual(flow["layers"], 5)
+        self.assertTrue(self.read_report()["quality"]["Valid"])
+
+    def test_layers_as_thick_as_the_boundary_layer(self):
+        flow = self.report_of(NOSECONE, "--far-field", "2", "--reynolds", "1e6", "--length", "1", "--y-plus", "50",
+                              "--thickness-from-flow", "--friction-law", "power-law")["flow"]
+        self.assertAlmostEqual(flow["boundary_layer_thickness"], 0.37 * 1e6**-0.2, 6)
+        self.assertLess(abs(flow["total_thickness"] / flow["boundary_layer_thickness"] - 1), 0.1)
+
+    def test_wrong_usage(self):
+        start = [NOSECONE, "-o", self.mesh]
+        for message, arguments in (
+                ("--length is missing", ["--velocity", "1"]),
+                ("need --velocity or --reynolds", ["--y-plus", "1", "--first-height", "1"]),
+                ("give one of them", [*self.AIR, "--first-height", "1e-4"]),
+                ("one of air, water, custom", ["--velocity", "1", "--length", "1", "--fluid", "oil"]),
+                ("one of schlichting", [*self.AIR, "--friction-law", "mine"]),
+                ("both --density and --viscosity", ["--velocity", "1", "--length", "1", "--density", "900"]),
+                ("leave out one", [*self.AIR, "--density", "900", "--viscosity", "1e-3"]),
+                ("leave out --thickness", [*self.AIR, "--thickness-from-flow", "--layers", "3"])):
+            with self.subTest(message):
+                self.fails(2, message, *start, *arguments)
+        self.fails(1, "too small for a turbulent", *start, "--far-field", "2", "--velocity", "1e-5", "--length", "1")
+
+
 class Interrupts(CommandLineTest):
     def interrupt(self, number):
         """Interrupts the program while TetGen works on a large mesh; gives what it left in its folder."""

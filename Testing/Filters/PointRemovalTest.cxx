@@ -91,6 +91,39 @@ TEST_F(PointRemovalFilter, EmptiesTheRegionAndGivesAValidMesh)
   }
 }
 
+TEST_F(PointRemovalFilter, TakesTheFirstHeightFromTheFlow)
+{
+  this->Filter->SetVelocity(50);
+  this->Filter->SetReferenceLength(1);
+  EXPECT_NEAR(this->Filter->GetEstimatedFirstHeight() / 7.4869996e-6, 1, 1e-6);
+  EXPECT_NEAR(this->Filter->GetEstimatedReynoldsNumber(), 3422935, 1);
+  EXPECT_NEAR(this->Filter->GetEstimatedSkinFriction(), 3.0452087e-3, 1e-9);
+  EXPECT_NEAR(this->Filter->GetEstimatedFrictionVelocity(), 1.9510282, 1e-6);
+  EXPECT_NEAR(this->Filter->GetEstimatedBoundaryLayerThickness(), 0.01825248, 1e-7);
+  EXPECT_NEAR(this->Filter->GetPlannedTotalThickness() / 7.4869996e-5, 1, 1e-6);
+  this->Filter->SetThicknessFromFlow(true);
+  this->Filter->SetGrowthRate(1.2);
+  EXPECT_NEAR(this->Filter->GetPlannedTotalThickness() / 0.01825248, 1, 0.1);
+  this->Filter->Update();
+  auto* recorded = vtkDoubleArray::SafeDownCast(
+    this->Filter->GetOutput()->GetFieldData()->GetArray(contract::LayersFirstHeight));
+  ASSERT_TRUE(recorded);
+  EXPECT_DOUBLE_EQ(recorded->GetValue(ZLow), this->Filter->GetEstimatedFirstHeight());
+}
+
+TEST_F(PointRemovalFilter, RefusesImpossibleFlowConditions)
+{
+  this->Filter->SetThicknessFromFlow(true);
+  this->ExpectRefusal("ThicknessFromFlow needs flow conditions");
+  this->Filter->SetVelocity(50);
+  this->ExpectRefusal("set ReferenceLength");
+  this->Filter->SetReferenceLength(1);
+  this->Filter->SetFluid(vtkRANSLayerAlgorithm::CUSTOM_FLUID);
+  this->Filter->SetViscosity(-1);
+  this->ExpectRefusal("set Viscosity");
+  EXPECT_EQ(this->Filter->GetEstimatedFirstHeight(), 0);
+}
+
 TEST_F(PointRemovalFilter, DoesNothingForThinLayers)
 {
   this->Filter->SetFirstHeight(1e-6);

@@ -52,6 +52,7 @@ struct OptionGroup
 
 const OptionGroup& surfaceOptions(); // files, what is done to the surfaces
 const OptionGroup& domainOptions();  // what bounds the domain, sizes within it
-const OptionGroup& layerOptions();   // layers, and the flow they are for
-const OptionGroup& outputOptions();  // files written, what is told
+const OptionGroup& layerOptions();
+const OptionGroup& flowOptions();   // what the layers are for
+const OptionGroup& outputOptions(); // files written, what is told
 } // namespace commandline

@@ -61,10 +61,35 @@ void Chain::describeDomain()
   }
 }
 
+void Chain::describeFlow(vtkRANSLayerAlgorithm* filter) const
+{
+  const FlowOptions& flow = options_.flow;
+  filter->SetVelocity(flow.velocity);
+  filter->SetReynoldsNumber(flow.reynoldsNumber);
+  filter->SetReferenceLength(flow.length);
+  filter->SetFluid(fluidOf(flow));
+  filter->SetSkinFrictionLaw(frictionLawOf(flow));
+  filter->SetThicknessFromFlow(flow.givesThickness);
+  if (flow.density > 0)
+  {
+    filter->SetDensity(flow.density);
+    filter->SetViscosity(flow.viscosity);
+  }
+  if (flow.lengthUnit > 0)
+  {
+    filter->SetLengthUnit(flow.lengthUnit);
+  }
+  if (flow.yPlus > 0)
+  {
+    filter->SetYPlus(flow.yPlus);
+  }
+}
+
 template <typename Filter>
 void Chain::describeLayers(Filter* filter) const
 {
   filter->SetFirstHeight(options_.firstHeight);
+  describeFlow(filter);
   if (options_.growth > 0)
   {
     filter->SetGrowthRate(options_.growth);
@@ -120,6 +145,11 @@ void Chain::run()
 vtkUnstructuredGrid* Chain::mesh() const
 {
   return vtkUnstructuredGrid::SafeDownCast(report_->GetOutputDataObject(0));
+}
+
+vtkRANSLayerAlgorithm* Chain::layers() const
+{
+  return removal_;
 }
 
 vtkMeshQualityReport* Chain::report() const

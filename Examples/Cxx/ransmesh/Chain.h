@@ -16,6 +16,7 @@ class vtkDirectionalEnrichment;
 class vtkIsotropicTetMesher;
 class vtkMeshQualityReport;
 class vtkPolyData;
+class vtkRANSLayerAlgorithm;
 class vtkRANSPointRemoval;
 class vtkUnstructuredGrid;
 
@@ -44,6 +45,8 @@ public:
   void run();
 
   vtkUnstructuredGrid* mesh() const;
+  // What was asked of the layers.
+  vtkRANSLayerAlgorithm* layers() const;
   vtkMeshQualityReport* report() const;
   // The triangles that are wrong with the surface; may be empty.
   vtkPolyData* problems() const;
@@ -53,6 +56,7 @@ public:
 private:
   void describeSurfaces();
   void describeDomain();
+  void describeFlow(vtkRANSLayerAlgorithm* filter) const;
   template <typename Filter>
   void describeLayers(Filter* filter) const;
   void runStage(const std::string& name, vtkAlgorithm* filter);

@@ -6,8 +6,8 @@ namespace
 {
 bool describesLayers(const Options& options)
 {
-  return options.firstHeight > 0 || options.growth > 0 || options.layers > 0 || options.thickness > 0 ||
-    !options.walls.empty();
+  return options.firstHeight > 0 || options.flow.isGiven() || options.growth > 0 || options.layers > 0 ||
+    options.thickness > 0 || !options.walls.empty();
 }
 
 void check(const Options& options)
@@ -20,10 +20,11 @@ void check(const Options& options)
   {
     throw UsageError("--isotropic-only makes no layers: leave out what describes them");
   }
-  if (!options.isotropicOnly && options.firstHeight == 0)
+  if (!options.isotropicOnly && options.firstHeight == 0 && !options.flow.isGiven())
   {
     throw UsageError("--first-height is missing: the first spacing normal to the walls, in the unit of the "
-                     "surface (or --isotropic-only for a mesh without layers)");
+                     "surface (or --velocity or --reynolds, from which it follows, or --isotropic-only for a "
+                     "mesh without layers)");
   }
 }
 } // namespace
@@ -44,7 +45,8 @@ const OptionGroup& layerOptions()
     },
     check, R"(
 Layers
-  --first-height H      first spacing normal to the walls; must be given
+  --first-height H      first spacing normal to the walls; must be given, or follow from
+                        flow conditions
   --growth G            ratio of successive spacings (1.2)
   --layers N            number of layers (25)
   --thickness T         thickness of all layers; their number follows

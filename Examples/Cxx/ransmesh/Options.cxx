@@ -8,7 +8,7 @@ namespace
 {
 std::vector<const OptionGroup*> groups()
 {
-  return { &surfaceOptions(), &domainOptions(), &layerOptions(), &outputOptions() };
+  return { &surfaceOptions(), &domainOptions(), &layerOptions(), &flowOptions(), &outputOptions() };
 }
 
 const Reader& readerOf(const std::string& name)

@@ -7,6 +7,23 @@
 
 namespace commandline
 {
+// What the layers are for, in place of a first height.
+struct FlowOptions
+{
+  double velocity = 0;       // m/s; 0: not given
+  double reynoldsNumber = 0; // 0: not given
+  double length = 0;         // in the unit of the surface; 0: not given
+  double yPlus = 0;          // 0: not given
+  double density = 0;        // kg/m3; 0: not given
+  double viscosity = 0;      // Pa s; 0: not given
+  double lengthUnit = 0;     // m; 0: not given
+  std::string fluid;         // empty: not given
+  std::string law;           // empty: not given
+  bool givesThickness = false;
+
+  bool isGiven() const { return velocity > 0 || reynoldsNumber > 0; }
+};
+
 struct Options
 {
   std::vector<std::string> surfaces;
@@ -15,6 +32,7 @@ struct Options
   std::string report;   // empty: none
   std::string problems; // empty: none
   std::vector<std::string> walls;
+  FlowOptions flow;
   double farField = 0;    // body lengths on each side; 0: no far field
   double size = 0;        // 0: no limit
   double surfaceSize = 0; // 0: surfaces are kept
@@ -35,6 +53,11 @@ struct UsageError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+// The names of the skin friction laws; places in the list and of the next two are the filters' numbers.
+const std::vector<std::string>& frictionLaws();
+int fluidOf(const FlowOptions& flow);
+int frictionLawOf(const FlowOptions& flow);
 
 // Throws UsageError.
 Options parseOptions(const std::vector<std::string>& arguments);

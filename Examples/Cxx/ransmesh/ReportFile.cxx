@@ -7,6 +7,7 @@
 #include <vtkFieldData.h>
 #include <vtkMeshQualityReport.h>
 #include <vtkPolyData.h>
+#include <vtkRANSLayerAlgorithm.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -44,6 +45,10 @@ Json requestOf(const Options& options)
   addIfGiven(request, "far_field", options.farField);
   addIfGiven(request, "size", options.size);
   addIfGiven(request, "first_height", options.firstHeight);
+  addIfGiven(request, "velocity", options.flow.velocity);
+  addIfGiven(request, "reynolds", options.flow.reynoldsNumber);
+  addIfGiven(request, "length", options.flow.length);
+  addIfGiven(request, "y_plus", options.flow.yPlus);
   addIfGiven(request, "growth", options.growth);
   addIfGiven(request, "layers", options.layers);
   addIfGiven(request, "thickness", options.thickness);
@@ -70,6 +75,18 @@ Json timesOf(const Chain& chain)
     times.add(time.name, Json::number(time.seconds));
   }
   return times;
+}
+
+Json flowOf(const vtkRANSLayerAlgorithm& layers)
+{
+  return Json::object()
+    .add("reynolds_number", Json::number(layers.GetEstimatedReynoldsNumber()))
+    .add("skin_friction", Json::number(layers.GetEstimatedSkinFriction()))
+    .add("friction_velocity", Json::number(layers.GetEstimatedFrictionVelocity()))
+    .add("first_height", Json::number(layers.GetEstimatedFirstHeight()))
+    .add("boundary_layer_thickness", Json::number(layers.GetEstimatedBoundaryLayerThickness()))
+    .add("layers", Json::number(layers.GetPlannedNumberOfLayers()))
+    .add("total_thickness", Json::number(layers.GetPlannedTotalThickness()));
 }
 
 Json patchesOf(vtkUnstructuredGrid* mesh)
@@ -105,6 +122,10 @@ std::string reportOf(const Options& options, const Chain& chain, const std::stri
   Json report = startOf(options, error);
   report.add("warnings", textsOf(chain.warnings()));
   report.add("seconds", timesOf(chain));
+  if (options.flow.isGiven())
+  {
+    report.add("flow", flowOf(*chain.layers()));
+  }
   if (error.empty())
   {
     report.add("patches", patchesOf(chain.mesh()));

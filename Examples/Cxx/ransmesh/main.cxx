@@ -9,6 +9,7 @@
 #include <vtkLogger.h>
 #include <vtkMeshQualityReport.h>
 #include <vtkPolyData.h>
+#include <vtkRANSLayerAlgorithm.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <cstdio>
@@ -55,6 +56,23 @@ void printWarnings(const Options& options, const Chain& chain)
   }
 }
 
+// What follows from the flow conditions, before the long work begins.
+void printFlow(const Options& options, vtkRANSLayerAlgorithm& layers)
+{
+  if (!options.quiet && options.flow.isGiven() && layers.GetEstimatedFirstHeight() > 0)
+  {
+    std::printf(
+      "Flow: Re %.4g, Cf %.4g (%s), u_tau %.4g%s, first height %.4g for y+ %g, boundary layer %.4g\n"
+      "Layers: %d, %.4g thick\n",
+      layers.GetEstimatedReynoldsNumber(), layers.GetEstimatedSkinFriction(),
+      frictionLaws()[frictionLawOf(options.flow)].c_str(), layers.GetEstimatedFrictionVelocity(),
+      options.flow.velocity > 0 ? " m/s" : " U", layers.GetEstimatedFirstHeight(), layers.GetYPlus(),
+      layers.GetEstimatedBoundaryLayerThickness(), layers.GetPlannedNumberOfLayers(),
+      layers.GetPlannedTotalThickness());
+    std::fflush(stdout);
+  }
+}
+
 void writeResults(const Options& options, const Chain& chain)
 {
   const std::string report = options.report.empty() ? "" : reportOf(options, chain, "");
@@ -92,6 +110,7 @@ int mesh(const Options& options)
       sheets = surfaces::readSurfaces(options.wakes);
     }
     chain = std::make_unique<Chain>(options, surface, sheets);
+    printFlow(options, *chain->layers());
     chain->run();
     printWarnings(options, *chain);
     writeResults(options, *chain);

@@ -82,11 +82,7 @@ std::vector<int> wallsByType(const MeshData& mesh, const PatchTable& patches)
 
 LayerSpecification specificationFor(int patch, const PatchTable& patches, const LayerRequest& request)
 {
-  LayerSpecification s = request.general;
-  if (request.totalThickness > 0)
-  {
-    s.numberOfLayers = layersForThickness(s, request.totalThickness);
-  }
+  LayerSpecification s = generalSpecification(request);
   for (const PatchLayers& rule : request.patchLayers)
   {
     const std::vector<int> taken = patchesOf(patches, rule.pattern);
@@ -100,6 +96,16 @@ LayerSpecification specificationFor(int patch, const PatchTable& patches, const 
   return s;
 }
 } // namespace
+
+LayerSpecification generalSpecification(const LayerRequest& request)
+{
+  LayerSpecification s = request.general;
+  if (request.totalThickness > 0)
+  {
+    s.numberOfLayers = layersForThickness(s, request.totalThickness);
+  }
+  return s;
+}
 
 bool matchesPattern(std::string_view name, std::string_view pattern)
 {

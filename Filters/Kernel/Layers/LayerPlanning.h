@@ -29,6 +29,9 @@ struct LayerRequest
   std::vector<std::pair<std::string, bool>> choices;
 };
 
+// What holds for every wall that no patch rule speaks of.
+LayerSpecification generalSpecification(const LayerRequest& request);
+
 // Does name match the pattern (* any run, ? any one character)?
 bool matchesPattern(std::string_view name, std::string_view pattern);
 
