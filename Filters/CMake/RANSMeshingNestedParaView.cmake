@@ -2,7 +2,7 @@
 include(ExternalProject)
 set(nested_dir "${PROJECT_BINARY_DIR}/paraview")
 ExternalProject_Add(RANSMeshingParaView
-  DEPENDS Core Surface TetGen BoundaryLayer # one after the other: ccache then has the kernel
+  DEPENDS Core Surface TetGen BoundaryLayer IO # one after the other: ccache then has the kernel
   SOURCE_DIR "${PROJECT_SOURCE_DIR}"
   BINARY_DIR "${nested_dir}"
   INSTALL_COMMAND ""

@@ -1,4 +1,5 @@
-# The installed package: find_package(RANSMeshing) gives RANSMeshing::Core, ::Surface, ::TetGen, ::BoundaryLayer.
+# The installed package: find_package(RANSMeshing) gives RANSMeshing::Core, ::Surface, ::TetGen, ::BoundaryLayer,
+# ::IO.
 include(CMakePackageConfigHelpers)
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/Filters/CMake/RANSMeshingConfig.cmake.in"

@@ -7,7 +7,9 @@
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
 import vtkmodules.vtkCommonExecutionModel
+import vtkmodules.vtkIOCore
 
 from .RANSMeshingSurface import *
 from .RANSMeshingTetGen import *
 from .RANSMeshingBoundaryLayer import *
+from .RANSMeshingIO import *

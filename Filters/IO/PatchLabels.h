@@ -1,0 +1,19 @@
+// Patch names as a file format allows them.
+#ifndef PatchLabels_h
+#define PatchLabels_h
+
+#include "MeshView.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ransmesh
+{
+// One label for each of the patches, all different: characters that are not letters, digits or one of `allowed`
+// become underscores, a name longer than `longest` is cut, and a name that is there already gets a number.
+std::vector<std::string> patchLabels(
+  const std::vector<BoundaryPatch>& patches, std::string_view allowed, std::size_t longest = 1000);
+} // namespace ransmesh
+
+#endif
