@@ -14,10 +14,7 @@ public:
   static constexpr std::uint32_t None = 0xFFFFFFFF;
 
   // Empties it and makes room for so many entries.
-  void reset(std::size_t entries)
-  {
-    entries_.assign(entries + entries / 2 + 8, {});
-  }
+  void reset(std::size_t entries) { entries_.assign(entries + entries / 2 + 8, {}); }
 
   // The number of the face of that key, for which keyAt(number) gives the key of an entry; None if there is none.
   template <class KeyAt>

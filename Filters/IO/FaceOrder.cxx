@@ -173,10 +173,13 @@ void FaceOrder::emit(const Part& part, const std::function<void(const InternalFa
       const std::uint32_t neighbour = neighbours_[(c - part.first) * stride_ + f];
       if (neighbour < Boundary && neighbour > static_cast<std::uint32_t>(c))
       {
-        *end++ = { neighbour, f };
+        const std::pair entry(neighbour, f);
+        const auto place = std::upper_bound(upper.begin(), end, entry);
+        std::move_backward(place, end, end + 1);
+        *place = entry;
+        ++end;
       }
     }
-    std::sort(upper.begin(), end);
     for (auto it = upper.begin(); it != end; ++it)
     {
       const Face face = faceOf(cell, it->second);
@@ -224,7 +227,8 @@ Outcome FaceOrder::checkComplete() const
   }
   return Outcome::badInput("the mesh is not conforming: " + std::to_string(unowned) +
     " boundary faces are no cell's face, and " + std::to_string(missing) +
-    " more faces of cells than there should be have no cell on their other side; vtkMeshQualityReport says what "
+    " more faces of cells than there should be have no cell on their other side; vtkMeshQualityReport says "
+    "what "
     "is wrong with a mesh of tetrahedra");
 }
 

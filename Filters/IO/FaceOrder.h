@@ -64,15 +64,15 @@ private:
   Outcome checkComplete() const;
 
   const MeshView& mesh_;
-  std::uint32_t stride_ = 4; // half-faces a cell
-  std::vector<unsigned char> sides_;         // by the view's boundary faces
+  std::uint32_t stride_ = 4;                         // half-faces a cell
+  std::vector<unsigned char> sides_;                 // by the view's boundary faces
   std::vector<std::array<std::uint32_t, 2>> owners_; // of the boundary faces, on either side
   FaceHash boundary_;
-  std::vector<bool> onBoundary_; // points
-  bool hasSheets_ = false;       // that are internal faces
-  FaceHash table_;                      // half-faces of the part
+  std::vector<bool> onBoundary_;          // points
+  bool hasSheets_ = false;                // that are internal faces
+  FaceHash table_;                        // half-faces of the part
   std::vector<std::uint32_t> neighbours_; // of the part's half-faces
-  std::vector<bool> open_;              // points of the part's unmatched faces
+  std::vector<bool> open_;                // points of the part's unmatched faces
   vtkIdType emitted_ = 0;
 };
 } // namespace ransmesh

@@ -12,8 +12,8 @@
 namespace ransmesh::foam
 {
 // The header of the file `object`, of an OpenFOAM class. note: a remark that OpenFOAM reads, or empty.
-std::string header(const std::string& object, const std::string& className, bool binary,
-  const std::string& note = "");
+std::string header(
+  const std::string& object, const std::string& className, bool binary, const std::string& note = "");
 
 // A list of labels (32 bits), written one after the other: binary or one a line. Its length must be known.
 class LabelList

@@ -92,9 +92,9 @@ Outcome MeshView::make(vtkUnstructuredGrid* grid, MeshView& view)
   {
     return Outcome::badInput("the input is empty: connect a mesh");
   }
-  for (const auto& step : { +[](MeshView& v, vtkUnstructuredGrid* g) { return v.readArrays(g); },
-         +[](MeshView& v, vtkUnstructuredGrid*) { return v.countCells(); },
-         +[](MeshView& v, vtkUnstructuredGrid* g) { return v.readPatches(g); } })
+  for (const auto& step : { +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readArrays(g); },
+         +[](MeshView&v, vtkUnstructuredGrid*) { return v.countCells(); },
+         +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readPatches(g); } })
   {
     if (Outcome outcome = step(view, grid); !outcome.ok())
     {
@@ -197,10 +197,12 @@ Outcome MeshView::checkCell(vtkIdType id) const
   if (kind == Unknown)
   {
     return Outcome::badInput(where() + " is of VTK type " + std::to_string(types_[id]) +
-      "; solvers' meshes hold tetrahedra, pyramids, wedges and hexahedra, and triangles and quadrilaterals of "
+      "; solvers' meshes hold tetrahedra, pyramids, wedges and hexahedra, and triangles and quadrilaterals "
+      "of "
       "the boundary: leave out or convert the others");
   }
-  const vtkIdType size = offsets64_ ? offsets64_[id + 1] - offsets64_[id] : offsets32_[id + 1] - offsets32_[id];
+  const vtkIdType size =
+    offsets64_ ? offsets64_[id + 1] - offsets64_[id] : offsets32_[id + 1] - offsets32_[id];
   if (size != CornersOfKind[static_cast<int>(kind)])
   {
     return Outcome::badInput(where() + " has " + std::to_string(size) + " points, too many or too few");
@@ -280,7 +282,8 @@ Outcome MeshView::readPatches(vtkUnstructuredGrid* grid)
     const bool named = static_cast<std::size_t>(number) < table.size();
     patch.id = number;
     patch.first = first;
-    patch.name = named && !table[number].name.empty() ? table[number].name : "patch_" + std::to_string(number);
+    patch.name =
+      named && !table[number].name.empty() ? table[number].name : "patch_" + std::to_string(number);
     patch.type = named ? table[number].type : PatchType::Patch;
     first += patch.count();
     patches_.push_back(patch);

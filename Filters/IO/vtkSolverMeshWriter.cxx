@@ -102,9 +102,9 @@ void vtkSolverMeshWriter::WriteData()
     const std::string sheets = outcome.ok() ? namesOfSheets(mesh) : "";
     if (!sheets.empty() && !this->CanHoldSheets() && !this->LeaveOutSheets)
     {
-      outcome = Outcome::badInput(std::string(this->FileName) + ": files of this kind cannot hold patches inside " +
-        "the mesh, and this mesh has: " + sheets + ". Leave out wakes with LeaveOutSheets, or write a " +
-        "polyMesh, .cgns or .msh");
+      outcome = Outcome::badInput(std::string(this->FileName) +
+        ": files of this kind cannot hold patches inside " + "the mesh, and this mesh has: " + sheets +
+        ". Leave out wakes with LeaveOutSheets, or write a " + "polyMesh, .cgns or .msh");
     }
     outcome = outcome.ok() ? this->WriteMesh(mesh) : outcome;
   }

@@ -27,7 +27,7 @@ namespace ransmesh
 {
 class MeshView;
 struct Outcome;
-}
+} // namespace ransmesh
 
 class RANSMESHINGIO_EXPORT vtkSolverMeshWriter : public vtkWriter
 {

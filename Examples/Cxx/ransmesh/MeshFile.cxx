@@ -1,7 +1,11 @@
 #include "MeshFile.h"
 
+#include "Messages.h"
+
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkSolverMeshWriter.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -55,10 +59,56 @@ bool writeXml(vtkDataObject* data, const std::string& path)
   writer->SetHeaderTypeToUInt64();
   return writer->Write() == 1 && writer->GetErrorCode() == 0;
 }
+
+// Null where the name is not that of a solver's mesh.
+vtkSmartPointer<vtkSolverMeshWriter> solverWriterFor(const std::string& path)
+{
+  return vtkSmartPointer<vtkSolverMeshWriter>::Take(vtkSolverMeshWriter::NewForFile(path.c_str()));
+}
 } // namespace
+
+namespace
+{
+// OpenFOAM's mesh, a folder, which the writer makes.
+bool endsInPolyMesh(const std::string& path)
+{
+  const fs::path given(path);
+  return (given.has_filename() ? given : given.parent_path()).filename() == "polyMesh";
+}
+
+// The folders above it need not be there.
+void checkFolderWritable(const std::string& path)
+{
+  fs::path folder = fs::absolute(path).parent_path();
+  while (!fs::exists(folder) && folder.has_relative_path())
+  {
+    folder = folder.parent_path();
+  }
+  if (access(folder.c_str(), W_OK) != 0)
+  {
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+  }
+}
+} // namespace
+
+bool isSolverMesh(const std::string& path)
+{
+  return solverWriterFor(path) != nullptr;
+}
+
+bool canHoldSheets(const std::string& path)
+{
+  const auto writer = solverWriterFor(path);
+  return !writer || writer->CanHoldSheets();
+}
 
 void checkWritable(const std::string& path)
 {
+  if (endsInPolyMesh(path))
+  {
+    checkFolderWritable(path);
+    return;
+  }
   if (fs::is_directory(path))
   {
     throw std::runtime_error(path + ": is a folder");
@@ -74,8 +124,21 @@ void checkWritable(const std::string& path)
   }
 }
 
-void writeMesh(vtkUnstructuredGrid* mesh, const std::string& path)
+void writeMesh(vtkUnstructuredGrid* mesh, const std::string& path, bool leaveOutSheets)
 {
+  if (const auto writer = solverWriterFor(path)) // which renames, too
+  {
+    vtkNew<Messages> messages;
+    messages->watch(writer);
+    writer->SetInputData(mesh);
+    writer->SetLeaveOutSheets(leaveOutSheets);
+    if (writer->Write() == 0)
+    {
+      throw std::runtime_error(
+        messages->errors().empty() ? path + ": could not be written" : messages->errors().front());
+    }
+    return;
+  }
   writeThenRename(
     path, [mesh](const std::string& name) { return writeXml<vtkXMLUnstructuredGridWriter>(mesh, name); });
 }

@@ -29,8 +29,9 @@ struct Options
   std::vector<std::string> surfaces;
   std::vector<std::string> wakes; // files of sheets
   std::string output;
-  std::string report;   // empty: none
-  std::string problems; // empty: none
+  bool leaveOutSheets = false; // where the output cannot hold them
+  std::string report;          // empty: none
+  std::string problems;        // empty: none
   std::vector<std::string> walls;
   FlowOptions flow;
   double farField = 0;    // body lengths on each side; 0: no far field

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "MeshFile.h"
 
 namespace commandline
 {
@@ -10,9 +11,16 @@ void check(const Options& options)
   {
     throw UsageError("no mesh file is given: add -o MESH.vtu");
   }
-  if (!endsWith(options.output, ".vtu"))
+  if (!endsWith(options.output, ".vtu") && !isSolverMesh(options.output))
   {
-    throw UsageError("-o writes .vtu files only, not " + options.output);
+    throw UsageError(
+      "-o writes .vtu, .su2 and .foam files and folders named polyMesh, not " + options.output);
+  }
+  if (!options.wakes.empty() && !options.leaveOutSheets && !canHoldSheets(options.output))
+  {
+    throw UsageError(options.output +
+      " cannot hold the faces of --wake: leave them out of the file with "
+      "--leave-out-sheets, or write a polyMesh, .cgns, .msh or .vtu");
   }
   if (!options.problems.empty() && !endsWith(options.problems, ".vtp"))
   {
@@ -29,6 +37,7 @@ const OptionGroup& outputOptions()
   static const OptionGroup group = {
     {
       { "-o", [](O& o, A& a, S& name) { o.output = a.valueOf(name); } },
+      { "--leave-out-sheets", [](O& o, A&, S&) { o.leaveOutSheets = true; } },
       { "--report", [](O& o, A& a, S& name) { o.report = a.valueOf(name); } },
       { "--problems", [](O& o, A& a, S& name) { o.problems = a.valueOf(name); } },
       { "--threads", [](O& o, A& a, S& name) { o.threads = countOf(a, name); } },

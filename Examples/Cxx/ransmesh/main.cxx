@@ -80,7 +80,7 @@ void writeResults(const Options& options, const Chain& chain)
   {
     writeText(report, options.report);
   }
-  writeMesh(chain.mesh(), options.output); // last: where it is, all is
+  writeMesh(chain.mesh(), options.output, options.leaveOutSheets); // last: where it is, all is
   if (!options.quiet)
   {
     std::printf("%s\n%s: %lld points, %lld cells\n", chain.report()->GetReportText(), options.output.c_str(),
