@@ -4,7 +4,6 @@
 #include "Support/DataContract.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -16,28 +15,47 @@
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace ransmesh
 {
 namespace
 {
-// Values of tetrahedra go to tetrahedra in order; triangles get that of the tetrahedron behind them.
-void addCellArray(const char* name, const std::vector<double>& values, const std::vector<HalfFace>* innerFace,
-  vtkUnstructuredGrid* grid)
+// A cell that was cut into several shows what they come to together, or the worst of them.
+enum class Together
+{
+  Sum,
+  Largest,
+  Smallest
+};
+
+double together(double a, double b, Together how)
+{
+  return how == Together::Sum ? a + b : how == Together::Largest ? std::max(a, b) : std::min(a, b);
+}
+
+// Values of tetrahedra go to their cells; the boundary gets those of the tetrahedra behind it, or nothing.
+void addCellArray(const char* name, const std::vector<double>& values, Together how,
+  const std::vector<HalfFace>* innerFace, const QualityInput& input, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->SetNumberOfValues(grid->GetNumberOfCells());
-  std::size_t tet = 0;
-  std::size_t triangle = 0;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  array->FillValue(0);
+  std::vector<char> isSet(static_cast<std::size_t>(grid->GetNumberOfCells()), 0);
+  const auto put = [&](Index cell, double value)
   {
-    if (grid->GetCellType(c) == VTK_TETRA)
-    {
-      array->SetValue(c, values[tet++]);
-      continue;
-    }
-    const HalfFace inner = innerFace ? (*innerFace)[triangle++] : None;
-    array->SetValue(c, inner != None ? values[tetOf(inner)] : 0);
+    array->SetValue(cell, isSet[cell] ? together(array->GetValue(cell), value, how) : value);
+    isSet[cell] = 1;
+  };
+  for (std::size_t t = 0; t < values.size(); ++t)
+  {
+    put(input.tetCell[t], values[t]);
+  }
+  for (std::size_t i = 0; innerFace && i < innerFace->size(); ++i)
+  {
+    const HalfFace inner = (*innerFace)[i];
+    put(input.triangleCell[i], inner != None ? values[tetOf(inner)] : 0);
   }
   grid->GetCellData()->AddArray(array);
 }
@@ -52,13 +70,14 @@ Array* addColumn(const char* name, vtkTable* table)
 }
 } // namespace
 
-void addCellArrays(const CellMeasures& cells, vtkUnstructuredGrid* grid)
+void addCellArrays(const CellMeasures& cells, const QualityInput& input, vtkUnstructuredGrid* grid)
 {
-  addCellArray(contract::Volume, cells.volume, nullptr, grid);
-  addCellArray(contract::LargestDihedral, cells.largestDihedral, &cells.innerFace, grid);
-  addCellArray(contract::SmallestDihedral, cells.smallestDihedral, &cells.innerFace, grid);
-  addCellArray(contract::Stretching, cells.stretching, &cells.innerFace, grid);
-  addCellArray(contract::Quality, cells.quality, &cells.innerFace, grid);
+  const auto* behind = &cells.innerFace;
+  addCellArray(contract::Volume, cells.volume, Together::Sum, nullptr, input, grid);
+  addCellArray(contract::LargestDihedral, cells.largestDihedral, Together::Largest, behind, input, grid);
+  addCellArray(contract::SmallestDihedral, cells.smallestDihedral, Together::Smallest, behind, input, grid);
+  addCellArray(contract::Stretching, cells.stretching, Together::Largest, behind, input, grid);
+  addCellArray(contract::Quality, cells.quality, Together::Smallest, behind, input, grid);
 }
 
 void writeSummary(const QualityReport& report, vtkTable* table)
@@ -99,24 +118,6 @@ void writeHistograms(const QualityReport& report, vtkTable* table)
       count->InsertNextValue(static_cast<vtkIdType>(histogram.count[bin]));
     }
   }
-}
-
-std::vector<int> readLayerIds(vtkUnstructuredGrid* grid)
-{
-  std::vector<int> layerIds;
-  vtkDataArray* array = grid->GetCellData()->GetArray(contract::LayerId);
-  if (!array || array->GetNumberOfComponents() != 1)
-  {
-    return layerIds;
-  }
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    if (grid->GetCellType(c) == VTK_TETRA)
-    {
-      layerIds.push_back(static_cast<int>(array->GetTuple1(c)));
-    }
-  }
-  return layerIds;
 }
 
 std::vector<StopCount> countStops(vtkPolyData* boundary)

@@ -1,6 +1,7 @@
 #include "vtkMeshQualityReport.h"
 
 #include "MeshConversion.h"
+#include "QualityInput.h"
 #include "QualityOutput.h"
 #include "StageContext.h"
 
@@ -87,16 +88,15 @@ int vtkMeshQualityReport::RequestData(
   *this->Results = {};
   this->Valid = false;
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
-  ransmesh::MeshData mesh;
-  ransmesh::PatchTable patches;
-  if (const auto outcome = ransmesh::readMesh(input, mesh, patches); !outcome.ok())
+  ransmesh::QualityInput read;
+  if (const auto outcome = ransmesh::readQualityInput(input, read); !outcome.ok())
   {
     vtkErrorMacro(<< outcome.message);
     return 0;
   }
   const ransmesh::LayerPlan plan = ransmesh::readPlan(input->GetFieldData());
-  const std::vector<int> layerIds = ransmesh::readLayerIds(input);
-  const ransmesh::ReportSubject subject{ mesh, patches, plan, layerIds.empty() ? nullptr : &layerIds };
+  const ransmesh::ReportSubject subject{ read.mesh, read.patches, plan,
+    read.layerIds.empty() ? nullptr : &read.layerIds, read.prisms ? &*read.prisms : nullptr };
   ransmesh::ReportOptions options;
   options.columns.tolerance = this->SpacingTolerance;
   options.columns.cone = this->ColumnCone;
@@ -116,7 +116,7 @@ int vtkMeshQualityReport::RequestData(
   output->ShallowCopy(input);
   if (report.isMeasured)
   {
-    ransmesh::addCellArrays(cells, output);
+    ransmesh::addCellArrays(cells, read, output);
   }
   ransmesh::writeSummary(report, vtkTable::GetData(outputVector, 1));
   ransmesh::writeHistograms(report, vtkTable::GetData(outputVector, 2));

@@ -17,8 +17,11 @@
  * Output 2: a vtkTable with a row for each bin of each histogram: Histogram (a number), Quantity, Scope,
  * BinLow, BinHigh, Count.
  *
- * A mesh that is not valid is reported, not an error; cells other than tetrahedra and triangles, and a mesh
- * without tetrahedra, are errors. Each figure is defined in vtkMeshQualityReport.md.
+ * A mesh with prisms, as vtkPrismRecombination gives it, is checked as it is and measured as the tetrahedra that
+ * its cells can be cut into; a cell shows the worst of them.
+ *
+ * A mesh that is not valid is reported, not an error; cells that the data contract does not know, and a mesh
+ * without cells of the fluid, are errors. Each figure is defined in vtkMeshQualityReport.md.
  *
  * @sa vtkIsotropicTetMesher vtkRANSPointRemoval vtkDirectionalEnrichment
  */

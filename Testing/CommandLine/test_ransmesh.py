@@ -173,6 +173,12 @@ class Options(CommandLineTest):
         self.assertTrue(report["quality"]["Valid"])
         self.assertEqual(len(report["patches"]), 8)
 
+    def test_prisms(self):
+        prisms = self.report_of(NOSECONE, "--far-field", "2", *LAYERS, "--prisms")["quality"]["Prisms"]
+        self.assertGreater(prisms["Wedges"], 1000)
+        self.assertGreater(prisms["ShareOfLayers"], 0.95)
+        self.assertEqual(prisms["Faults"], "")
+
     def test_isotropic_only(self):
         report = self.report_of(NOSECONE, "--isotropic-only", "--far-field", "2")
         self.assertNotIn("enrichment", report["seconds"])

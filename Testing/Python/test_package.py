@@ -1,7 +1,7 @@
 """The package gives all filters, each with documentation on what a user sets."""
 import ransmeshing
 
-FILTERS = ("vtkIsotropicTetMesher", "vtkRANSPointRemoval", "vtkDirectionalEnrichment",
+FILTERS = ("vtkIsotropicTetMesher", "vtkRANSPointRemoval", "vtkDirectionalEnrichment", "vtkPrismRecombination",
            "vtkMeshQualityReport")
 
 for name in FILTERS:

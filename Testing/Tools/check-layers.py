@@ -9,7 +9,7 @@ import sys
 BELOW = {"Support": set()}
 BELOW["Geometry"] = {"Support"}
 BELOW["Mesh"] = BELOW["Geometry"] | {"Geometry"}
-BELOW["Boundary"] = BELOW["Mesh"] | {"Mesh"}
+BELOW["Boundary"] = BELOW["Prisms"] = BELOW["Mesh"] | {"Mesh"}
 BELOW["Layers"] = BELOW["Improvement"] = BELOW["Boundary"] | {"Boundary"}
 BELOW["Insertion"] = BELOW["Removal"] = BELOW["Quality"] = BELOW["Layers"] | {"Layers", "Improvement"}
 

@@ -4,6 +4,7 @@
 #include <vtkIsotropicTetMesher.h>
 #include <vtkMeshQualityReport.h>
 #include <vtkPolyData.h>
+#include <vtkPrismRecombination.h>
 #include <vtkRANSPointRemoval.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -34,7 +35,9 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
     report_->SetInputConnection(mesher_->GetOutputPort());
     return;
   }
-  report_->SetInputConnection(0, enrichment_->GetOutputPort(0));
+  recombination_->SetInputConnection(enrichment_->GetOutputPort());
+  vtkAlgorithm* last = options.prisms ? recombination_.Get() : static_cast<vtkAlgorithm*>(enrichment_.Get());
+  report_->SetInputConnection(0, last->GetOutputPort(0));
   report_->SetInputConnection(1, enrichment_->GetOutputPort(1)); // why columns stopped
 }
 
@@ -133,6 +136,10 @@ void Chain::run()
   {
     runStage("removal of points", removal_);
     runStage("enrichment", enrichment_);
+  }
+  if (options_.prisms)
+  {
+    runStage("recombination to prisms", recombination_);
   }
   runStage("quality report", report_);
   if (!report_->GetValid())

@@ -16,6 +16,7 @@ class vtkDirectionalEnrichment;
 class vtkIsotropicTetMesher;
 class vtkMeshQualityReport;
 class vtkPolyData;
+class vtkPrismRecombination;
 class vtkRANSLayerAlgorithm;
 class vtkRANSPointRemoval;
 class vtkUnstructuredGrid;
@@ -65,6 +66,7 @@ private:
   vtkNew<vtkIsotropicTetMesher> mesher_;
   vtkNew<vtkRANSPointRemoval> removal_;
   vtkNew<vtkDirectionalEnrichment> enrichment_;
+  vtkNew<vtkPrismRecombination> recombination_;
   vtkNew<vtkMeshQualityReport> report_;
   vtkNew<Messages> messages_;
   vtkNew<Progress> progress_;

@@ -7,7 +7,7 @@ namespace
 bool describesLayers(const Options& options)
 {
   return options.firstHeight > 0 || options.flow.isGiven() || options.growth > 0 || options.layers > 0 ||
-    options.thickness > 0 || !options.walls.empty();
+    options.thickness > 0 || !options.walls.empty() || options.prisms;
 }
 
 void check(const Options& options)
@@ -41,6 +41,7 @@ const OptionGroup& layerOptions()
       { "--growth", [](O& o, A& a, S& name) { o.growth = positiveOf(a, name, 1); } },
       { "--layers", [](O& o, A& a, S& name) { o.layers = countOf(a, name); } },
       { "--thickness", [](O& o, A& a, S& name) { o.thickness = positiveOf(a, name); } },
+      { "--prisms", [](O& o, A&, S&) { o.prisms = true; } },
       { "--isotropic-only", [](O& o, A&, S&) { o.isotropicOnly = true; } },
     },
     check, R"(
@@ -52,6 +53,7 @@ Layers
   --thickness T         thickness of all layers; their number follows
   --walls PATTERN...    the viscous walls by patch name, * and ? allowed (every patch that is
                         not a side of a box); goes on to the next option
+  --prisms              layers of prisms (wedges, and pyramids where they end) instead of tetrahedra
   --isotropic-only      stop after the first stage: no layers
 )"
   };

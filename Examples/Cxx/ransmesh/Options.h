@@ -32,6 +32,7 @@ struct Options
   bool leaveOutSheets = false; // where the output cannot hold them
   std::string report;          // empty: none
   std::string problems;        // empty: none
+  bool prisms = false;         // layers of prisms instead of tetrahedra
   std::vector<std::string> walls;
   FlowOptions flow;
   double farField = 0;    // body lengths on each side; 0: no far field

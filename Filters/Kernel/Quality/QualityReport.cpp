@@ -142,7 +142,8 @@ QualityReport reportQuality(
   context.report(0, "checking the mesh");
   FaceMatching matching;
   report.faults = findFaults(subject.mesh, &matching);
-  report.isValid = report.faults.none();
+  report.isValid = report.faults.none() && (!subject.prisms || subject.prisms->faults.empty());
+  report.prisms = subject.prisms ? std::optional(*subject.prisms) : std::nullopt;
   report.isMeasured = !report.faults.indicesOutOfRange && !report.faults.pointsNotFinite;
   CellMeasures own;
   CellMeasures& measures = cells ? *cells : own;

@@ -13,6 +13,7 @@
 #include "Support/Context.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,10 +79,23 @@ struct StopCount
   std::size_t columns = 0;
 };
 
+// A mesh with prisms is measured as the tetrahedra that its cells are cut into (Mesh/MixedMesh.h); this is what
+// it was before.
+struct PrismSummary
+{
+  std::size_t tetrahedra = 0;
+  std::size_t pyramids = 0;
+  std::size_t wedges = 0;
+  std::size_t quadrilaterals = 0; // of the boundary
+  double shareOfLayers = 0;       // of the layers' tetrahedra: cut from wedges
+  std::string faults;             // what the cut hides; empty: nothing
+};
+
 struct QualityReport
 {
   bool isValid = false;
   MeshFaults faults;
+  std::optional<PrismSummary> prisms; // none: the mesh is of tetrahedra
   // Measured only where point numbers are in range and points finite.
   bool isMeasured = false;
 
@@ -109,6 +123,7 @@ struct ReportSubject
   const PatchTable& patches;
   const LayerPlan& plan;                     // may be empty
   const std::vector<int>* layerId = nullptr; // of each tetrahedron, 0 none; may be left out
+  const PrismSummary* prisms = nullptr;      // where the mesh was cut from one with prisms
 };
 
 // Linear in the size of the mesh. cells, if given, receives the measures of each tetrahedron and what lies behind

@@ -122,6 +122,22 @@ void writeByName(JsonWriter& json, const char* name, const Rows& rows, NameOf ro
   json.endObject();
 }
 
+void writePrisms(JsonWriter& json, const std::optional<PrismSummary>& prisms)
+{
+  if (!prisms)
+  {
+    return;
+  }
+  json.name("Prisms").beginObject();
+  json.name("Tetrahedra").value(prisms->tetrahedra);
+  json.name("Pyramids").value(prisms->pyramids);
+  json.name("Wedges").value(prisms->wedges);
+  json.name("BoundaryQuadrilaterals").value(prisms->quadrilaterals);
+  json.name("ShareOfLayers").value(prisms->shareOfLayers);
+  json.name("Faults").value(prisms->faults);
+  json.endObject();
+}
+
 void writeFaults(JsonWriter& json, const MeshFaults& faults)
 {
   json.name("Faults").beginObject();
@@ -163,6 +179,7 @@ std::string reportJson(const QualityReport& report)
   json.beginObject();
   json.name("Valid").value(report.isValid);
   writeFaults(json, report.faults);
+  writePrisms(json, report.prisms);
   json.name("Points").value(report.points);
   json.name("Tetrahedra").value(report.tetrahedra);
   json.name("BoundaryTriangles").value(report.triangles);

@@ -108,6 +108,12 @@ std::vector<ReportRow> reportRows(const QualityReport& report)
   {
     rows.add(fault.name, fault.count, "faults");
   }
+  if (report.prisms)
+  {
+    rows.add("Pyramids", report.prisms->pyramids, "cells");
+    rows.add("Wedges", report.prisms->wedges, "cells");
+    rows.add("ShareOfLayersInWedges", report.prisms->shareOfLayers, "1");
+  }
   rows.add("Points", report.points, "points");
   rows.add("Tetrahedra", report.tetrahedra, "tetrahedra");
   rows.add("BoundaryTriangles", report.triangles, "triangles");

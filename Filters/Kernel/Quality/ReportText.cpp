@@ -67,12 +67,33 @@ std::string more(std::size_t hidden)
   return hidden > 0 ? format("      ... and %zu more\n", hidden) : "";
 }
 
+std::string allFaults(const QualityReport& report)
+{
+  const std::string ofPrisms = report.prisms ? report.prisms->faults : "";
+  const std::string ofTets = report.faults.none() ? "" : report.faults.text();
+  return ofPrisms + (!ofPrisms.empty() && !ofTets.empty() ? "; cut into tetrahedra: " : "") + ofTets;
+}
+
+std::string prismText(const QualityReport& report)
+{
+  if (!report.prisms)
+  {
+    return "";
+  }
+  const PrismSummary& prisms = *report.prisms;
+  return format(
+           "  %zu tetrahedra, %zu pyramids, %zu wedges (%s of the layers), %zu boundary quadrilaterals;\n",
+           prisms.tetrahedra, prisms.pyramids, prisms.wedges, percent(prisms.shareOfLayers).c_str(),
+           prisms.quadrilaterals) +
+    "  all below: of the tetrahedra that they are cut into\n";
+}
+
 std::string meshText(const QualityReport& report)
 {
   std::string text = report.isValid
     ? "Mesh: VALID (exactly: every tetrahedron positive, every face matched, no points twice or unused)\n"
-    : "Mesh: INVALID: " + report.faults.text() + "\n";
-  return text +
+    : "Mesh: INVALID: " + allFaults(report) + "\n";
+  return text + prismText(report) +
     format("  %zu points, %zu tetrahedra, %zu boundary triangles", report.points, report.tetrahedra,
       report.triangles) +
     (report.isMeasured ? format(", volume %.6g\n", report.volume) : "\n");

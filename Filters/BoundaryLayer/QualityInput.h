@@ -1,0 +1,31 @@
+// A mesh as the quality report reads it: tetrahedra as they are, prisms cut into tetrahedra.
+#ifndef QualityInput_h
+#define QualityInput_h
+
+#include "Boundary/Patch.h"
+#include "Mesh/MeshData.h"
+#include "Quality/QualityReport.h"
+#include "Support/Outcome.h"
+
+#include <optional>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace ransmesh
+{
+struct QualityInput
+{
+  MeshData mesh;
+  PatchTable patches;
+  std::vector<int> layerIds;          // of each tetrahedron; empty if the grid has none
+  std::vector<Index> tetCell;         // the grid's cell that each tetrahedron is, or is cut from
+  std::vector<Index> triangleCell;    // the same of each triangle
+  std::optional<PrismSummary> prisms; // of a mesh with prisms
+};
+
+// BadInput as readMesh and readMixedMesh say it.
+Outcome readQualityInput(vtkUnstructuredGrid* grid, QualityInput& input);
+} // namespace ransmesh
+
+#endif
