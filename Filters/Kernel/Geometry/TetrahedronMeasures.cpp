@@ -2,6 +2,8 @@
 
 #include "Geometry/Angles.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ransmesh
@@ -59,6 +61,15 @@ double largestDoubleArea(const std::array<Vector3, 4>& p)
     std::max(norm(cross(p[2] - p[0], p[3] - p[0])), norm(cross(p[2] - p[1], p[3] - p[1])));
   return std::max(first, second);
 }
+// One plus the cosine of any angle of a tetrahedron of this quality is at least so much. Of all tetrahedra with an
+// angle t at one edge, the best is symmetric: twice the sine of t over the root of two times one plus the square
+// of the sine of t/2. Solved for the cosine.
+double leastByQuality(double quality)
+{
+  constexpr double safe = 0.999; // for rounding
+  const double square = std::min(quality * quality, 1.0);
+  return safe * 4 * (square + 2 - 2 * std::sqrt(1 - square)) / (square + 8);
+}
 } // namespace
 
 std::array<double, 6> dihedralAngles(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
@@ -109,12 +120,18 @@ TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c
   return m;
 }
 
-double angleQuality(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+double angleQuality(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange& range)
 {
   const double plain = quality(a, b, c, d);
-  if (!(plain > 0))
+  if (!(plain > std::max(range.floor, 0.0)))
   {
     return plain;
+  }
+  // Most tetrahedra are so good that none of their angles can matter.
+  if (const double least = std::min(plain, leastByQuality(plain)); least > range.ceiling)
+  {
+    return least;
   }
   // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
   // ask for nothing else, and spent half of their time there.

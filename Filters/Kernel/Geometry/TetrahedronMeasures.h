@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace ransmesh
 {
@@ -45,12 +46,29 @@ std::array<double, 6> dihedralAngles(const Vector3& a, const Vector3& b, const V
 // The largest of them.
 double largestDihedral(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
 
+// How exactly a shape has to be known: one that is not above floor may be given as anything not above it, and
+// one above ceiling as anything above that.
+struct ShapeRange
+{
+  double floor = 0;
+  double ceiling = std::numeric_limits<double>::infinity();
+};
+
 // A measure of shape, larger for better: what the operators that improve a mesh compare.
-using ShapeMeasure = double (*)(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+using ShapeMeasure = double (*)(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange& range);
+
+// The quality as such a measure.
+inline double plainQuality(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange&)
+{
+  return quality(a, b, c, d);
+}
 
 // The quality, or one plus the cosine of the largest angle where that is less: flat caps, which quality
 // alone forgives, count as bad (0.13 at 150 degrees, 0.004 at 175).
-double angleQuality(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d);
+double angleQuality(
+  const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange& range = {});
 
 struct TetrahedronMeasures
 {

@@ -13,20 +13,27 @@ namespace
 constexpr double worthwhile = 1.05; // by this factor the worst shape must rise
 } // namespace
 
-double LocalImprovement::worstOf(std::span<const Index> tets) const
+double LocalImprovement::worstOf(std::span<const Index> tets)
 {
   double worst = std::numeric_limits<double>::infinity();
   for (const Index t : tets)
   {
-    worst = std::min(worst, shapeOf(t));
+    worst = std::min(worst, shapeOf(t, worst));
   }
   return worst;
 }
 
-double LocalImprovement::shapeOf(Index tet) const
+double LocalImprovement::shapeOf(Index tet, double ceiling)
 {
-  const auto& v = mesh_.tet(tet).vertex;
-  return shapeOf(v[0], v[1], v[2], v[3]);
+  return shapes_.of(tet, ceiling, [&] { return shapeOf(mesh_.tet(tet).vertex, { 0, ceiling }); });
+}
+
+void LocalImprovement::forgetShapes(std::span<const Index> tets)
+{
+  for (const Index t : tets)
+  {
+    shapes_.forget(t);
+  }
 }
 
 bool LocalImprovement::swap(Index tet, unsigned corners)
@@ -101,10 +108,10 @@ double LocalImprovement::worstWithout(Index a, Index b, std::size_t apex, double
   {
     const Index from = ring_[(apex + i) % count];
     const Index to = ring_[(apex + i + 1) % count];
-    worst = std::min(worst, shapeOf(ring_[apex], from, to, b));
+    worst = std::min(worst, shapeOf({ ring_[apex], from, to, b }, { floor, worst }));
     if (worst > floor)
     {
-      worst = std::min(worst, shapeOf(ring_[apex], to, from, a));
+      worst = std::min(worst, shapeOf({ ring_[apex], to, from, a }, { floor, worst }));
     }
   }
   return worst;
@@ -138,7 +145,7 @@ double LocalImprovement::worstWith(Index d, Index e, const std::array<Index, 3>&
   double worst = std::numeric_limits<double>::infinity();
   for (int j = 0; j < 3 && worst > floor; ++j)
   {
-    worst = std::min(worst, shapeOf(e, d, face[j], face[(j + 1) % 3]));
+    worst = std::min(worst, shapeOf({ e, d, face[j], face[(j + 1) % 3] }, { floor, worst }));
   }
   return worst;
 }
@@ -166,6 +173,7 @@ bool LocalImprovement::star(Index apex)
     return false;
   }
   made_ = &star_.apply();
+  forgetShapes(*made_);
   return true;
 }
 
@@ -217,6 +225,7 @@ bool LocalImprovement::moveOnto(Index v, const Vector3& place, double wanted)
     mesh_.movePoint(v, from + fraction * step);
     if (allAbove(wanted) && allPositive())
     {
+      forgetShapes(tets_);
       return true;
     }
   }
@@ -238,8 +247,10 @@ bool LocalImprovement::allPositive() const
 // Are the shapes of all tetrahedra in tets_ above wanted? One that is not is asked first the next time.
 bool LocalImprovement::allAbove(double wanted)
 {
-  const auto refusing =
-    std::find_if(tets_.begin(), tets_.end(), [&](Index t) { return !(shapeOf(t) > wanted); });
+  const auto refusing = std::find_if(tets_.begin(), tets_.end(),
+    [&](Index t) {
+      return !(shapeOf(mesh_.tet(t).vertex, { wanted, wanted }) > wanted);
+    });
   if (refusing == tets_.end())
   {
     return true;

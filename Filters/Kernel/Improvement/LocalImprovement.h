@@ -3,6 +3,7 @@
 
 #include "Boundary/BoundaryRules.h"
 #include "Geometry/TetrahedronMeasures.h"
+#include "Improvement/ShapeMemory.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
@@ -22,7 +23,7 @@ inline double qualityOf(const TetMesh& mesh, Index t)
 class LocalImprovement
 {
 public:
-  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = quality)
+  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = plainQuality)
     : mesh_(mesh)
     , rules_(rules)
     , measure_(measure)
@@ -45,8 +46,10 @@ public:
   // above what they were where that is less.
   bool moveTowards(Index v, const Vector3& place, double floor);
 
-  // The measure of one tetrahedron.
-  double shapeOf(Index tet) const;
+  // The measure of one tetrahedron, or anything above ceiling if it is above that.
+  double shapeOf(Index tet, double ceiling);
+  // To be called before the next swap or move when others have changed the mesh.
+  void noteChanges() { shapes_.forgetAll(); }
 
   // The tetrahedra made by the last successful swap.
   const std::vector<Index>& made() const { return *made_; }
@@ -58,11 +61,13 @@ private:
   double worstWithout(Index a, Index b, std::size_t apex, double floor) const;
   double worstWith(Index d, Index e, const std::array<Index, 3>& face, double floor) const;
   bool star(Index apex);
-  double shapeOf(Index a, Index b, Index c, Index d) const
+  // As ShapeMeasure.
+  double shapeOf(const std::array<Index, 4>& v, const ShapeRange& range) const
   {
-    return measure_(mesh_.point(a), mesh_.point(b), mesh_.point(c), mesh_.point(d));
+    return measure_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]), range);
   }
-  double worstOf(std::span<const Index> tets) const;
+  double worstOf(std::span<const Index> tets);
+  void forgetShapes(std::span<const Index> tets);
   Vector3 meanNeighbour(Index v) const;
   bool moveOnto(Index v, const Vector3& place, double wanted);
   bool allAbove(double wanted);
@@ -73,6 +78,7 @@ private:
   ShapeMeasure measure_;
   Star star_;
   Traversal traversal_;
+  ShapeMemory shapes_;
   Cavity cavity_;
   std::vector<Index> tets_;
   std::vector<Index> ring_; // vertices around an edge

@@ -11,14 +11,11 @@ namespace ransmesh
 namespace
 {
 constexpr double Poor = 0.15; // angleQuality that is worth a try
-// Above this quality no angle is so large; it spares computing the angles of most.
-constexpr double Suspect = 0.4;
 constexpr int Passes = 5;
 // A move may not make the worst quality at its point worse than this part of what it was.
 constexpr double Kept = 1.02;
 
-std::vector<Index> poorTetsAtTops(
-  const TetMesh& mesh, const ColumnSet& set, const LocalImprovement& improvement)
+std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set, LocalImprovement& improvement)
 {
   std::vector<char> isTop(mesh.vertexCount(), 0); // small, so that it stays in the cache
   for (const Column& c : set.columns)
@@ -32,7 +29,7 @@ std::vector<Index> poorTetsAtTops(
     const Tetrahedron& tet = mesh.tet(t);
     if (tet.isAlive() &&
       std::any_of(tet.vertex.begin(), tet.vertex.end(), [&isTop](Index v) { return isTop[v] != 0; }) &&
-      qualityOf(mesh, t) < Suspect && improvement.shapeOf(t) < Poor)
+      improvement.shapeOf(t, Poor) < Poor)
     {
       poor.push_back(t);
     }
@@ -151,7 +148,7 @@ std::size_t improveBeyondFront(
     std::vector<Candidate> next;
     for (const auto [t, triedAt] : work)
     {
-      if (!mesh.tet(t).isAlive() || !(improvement.shapeOf(t) < Poor))
+      if (!mesh.tet(t).isAlive() || !(improvement.shapeOf(t, Poor) < Poor))
       {
         continue;
       }

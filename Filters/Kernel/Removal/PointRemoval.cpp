@@ -205,6 +205,7 @@ private:
   {
     constexpr double keep = 0.5;
     const bool drive = pass >= DrivingFrom;
+    improvement_.noteChanges();
     for (const Index v : left)
     {
       result.movements += drive ? driveToApex(v, pass) : improvement_.move(v, keep);
@@ -282,6 +283,7 @@ private:
     constexpr int rounds = 3;
     std::sort(poor_.begin(), poor_.end());
     poor_.erase(std::unique(poor_.begin(), poor_.end()), poor_.end());
+    improvement_.noteChanges();
     for (int round = 0; round < rounds && !poor_.empty(); ++round)
     {
       std::vector<Index> next;

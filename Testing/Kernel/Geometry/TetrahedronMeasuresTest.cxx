@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace
 {
 using ransmesh::Vector3;
@@ -101,16 +103,38 @@ TEST(TetrahedronMeasures, anglesAgreeWithNormals)
 TEST(TetrahedronMeasures, angleQualityCountsFlatCapsAsBad)
 {
   using ransmesh::angleQuality;
-  using ransmesh::quality;
   // The regular tetrahedron has no large angle: quality decides.
   EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { -1, 1, -1 }, { 1, -1, -1 }, { -1, -1, 1 }), 1, 1e-12);
   // Two triangles that meet in the edge a b and turn by 2 atan(h) there.
   const auto cap = [](double h, auto measure) {
-    return measure({ 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, h }, { -1, 0, h });
+    return measure({ 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, h }, { -1, 0, h }, ransmesh::ShapeRange{});
   };
   const double h = std::tan(2.5 * 3.14159265358979 / 180);
   EXPECT_NEAR(cap(h, angleQuality), 1 + std::cos(175 * 3.14159265358979 / 180), 1e-9);
-  EXPECT_GT(cap(h, quality), 0.05);
+  EXPECT_GT(cap(h, ransmesh::plainQuality), 0.05);
   // A tetrahedron that is not positive stays so.
   EXPECT_LE(angleQuality({ 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 1 }), 0);
+}
+
+TEST(TetrahedronMeasures, angleQualityIsExactWithinTheRangeAskedFor)
+{
+  std::mt19937 random(20261123);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_real_distribution<double> limit(0, 1);
+  const auto point = [&] { return Vector3{ coordinate(random), coordinate(random), coordinate(random) }; };
+  for (int i = 0; i < 200'000; ++i)
+  {
+    const std::array<Vector3, 4> p = { point(), point(), point(), point() };
+    const double low = limit(random);
+    const double high = limit(random);
+    const ransmesh::ShapeRange range{ std::min(low, high), std::max(low, high) };
+    const double exact = ransmesh::angleQuality(p[0], p[1], p[2], p[3]);
+    const double given = ransmesh::angleQuality(p[0], p[1], p[2], p[3], range);
+    ASSERT_EQ(given > range.floor, exact > range.floor);
+    ASSERT_EQ(given > range.ceiling, exact > range.ceiling);
+    if (exact > range.floor && exact <= range.ceiling)
+    {
+      ASSERT_EQ(given, exact);
+    }
+  }
 }
