@@ -10,7 +10,7 @@ prefix=${RANSMESHING_PARAVIEW_PREFIX:-/opt/ransmeshing-paraview}
 packages="
   g++ cmake ninja-build ccache
   libvtk9-dev python3-vtk9 python3-dev python3-numpy
-  libtet1.5-dev libcgal-dev zlib1g-dev
+  libtet1.5-dev libcgal-dev libcgns-dev zlib1g-dev
   libgtest-dev libbenchmark-dev clang-format clang-tidy
   paraview-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 xvfb xauth"
 unpacked="paraview paraview-dev python3-paraview"

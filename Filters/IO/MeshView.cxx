@@ -322,4 +322,25 @@ void MeshView::findSheets()
     patches_[p].inside = cellsAt[p] > 1;
   }
 }
+
+void MeshView::leaveOutSheets()
+{
+  std::vector<vtkIdType> kept;
+  std::vector<BoundaryPatch> outer;
+  for (BoundaryPatch patch : patches_)
+  {
+    if (!patch.inside)
+    {
+      const auto from = faceIds_.begin() + patch.first;
+      patch.first = static_cast<vtkIdType>(kept.size());
+      kept.insert(kept.end(), from, from + patch.count());
+      outer.push_back(patch);
+      continue;
+    }
+    kindCounts_[static_cast<int>(CellKind::Triangle)] -= patch.triangles;
+    kindCounts_[static_cast<int>(CellKind::Quadrilateral)] -= patch.quadrilaterals;
+  }
+  faceIds_.swap(kept);
+  patches_.swap(outer);
+}
 } // namespace ransmesh

@@ -69,6 +69,7 @@ public:
   std::array<double, 3> point(vtkIdType i) const;
 
   vtkIdType numberOfCells() const { return cellCount_; } // volume cells
+  // Of faces, too, if that is the kind.
   vtkIdType numberOfCells(CellKind kind) const { return kindCounts_[static_cast<int>(kind)]; }
   Corners cell(vtkIdType i) const { return turned(unturnedCell(i)); }
   // As it stands in the grid: where only its points matter.
@@ -87,6 +88,8 @@ public:
   }
   CellKind kindOfCell(vtkIdType i) const { return kinds_[types_[cellIds_.empty() ? i : cellIds_[i]]]; }
 
+  // Forgets the patches inside the mesh.
+  void leaveOutSheets();
   // By patch number; sheets among them.
   const std::vector<BoundaryPatch>& patches() const { return patches_; }
   vtkIdType numberOfFaces() const { return static_cast<vtkIdType>(faceIds_.size()); }

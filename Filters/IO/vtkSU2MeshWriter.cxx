@@ -52,15 +52,9 @@ public:
   SU2File(const MeshView& mesh, const std::string& path)
     : mesh_(mesh)
     , file_(path)
+    , patches_(mesh.patches())
+    , labels_(patchLabels(patches_, "_-.+"))
   {
-    for (const BoundaryPatch& patch : mesh.patches())
-    {
-      if (!patch.inside)
-      {
-        patches_.push_back(patch);
-      }
-    }
-    labels_ = patchLabels(patches_, "_-.+");
   }
 
   int write()
@@ -141,7 +135,7 @@ private:
 
   const MeshView& mesh_;
   OutputFile file_;
-  std::vector<BoundaryPatch> patches_; // those that the file holds
+  const std::vector<BoundaryPatch>& patches_;
   std::vector<std::string> labels_;
 };
 } // namespace

@@ -1,8 +1,11 @@
 #include "vtkSolverMeshWriter.h"
 
 #include "MeshView.h"
+#include "vtkCGNSMeshWriter.h"
+#include "vtkGmshMeshWriter.h"
 #include "vtkOpenFOAMMeshWriter.h"
 #include "vtkSU2MeshWriter.h"
+#include "vtkUGRIDMeshWriter.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -63,6 +66,9 @@ vtkSolverMeshWriter* vtkSolverMeshWriter::NewForFile(const char* fileName)
   };
   static constexpr Format formats[] = {
     { ".su2", newWriter<vtkSU2MeshWriter> },
+    { ".ugrid", newWriter<vtkUGRIDMeshWriter> },
+    { ".cgns", newWriter<vtkCGNSMeshWriter> },
+    { ".msh", newWriter<vtkGmshMeshWriter> },
     { "polyMesh", newWriter<vtkOpenFOAMMeshWriter> },
     { "polyMesh/", newWriter<vtkOpenFOAMMeshWriter> },
     { ".foam", newWriter<vtkOpenFOAMMeshWriter> },
@@ -99,14 +105,7 @@ void vtkSolverMeshWriter::WriteData()
   {
     MeshView mesh;
     outcome = MeshView::make(this->GetInput(), mesh);
-    const std::string sheets = outcome.ok() ? namesOfSheets(mesh) : "";
-    if (!sheets.empty() && !this->CanHoldSheets() && !this->LeaveOutSheets)
-    {
-      outcome = Outcome::badInput(std::string(this->FileName) +
-        ": files of this kind cannot hold patches inside " + "the mesh, and this mesh has: " + sheets +
-        ". Leave out wakes with LeaveOutSheets, or write a " + "polyMesh, .cgns or .msh");
-    }
-    outcome = outcome.ok() ? this->WriteMesh(mesh) : outcome;
+    outcome = outcome.ok() ? this->WriteView(mesh) : outcome;
   }
   catch (const std::bad_alloc&)
   {
@@ -117,6 +116,22 @@ void vtkSolverMeshWriter::WriteData()
     vtkErrorMacro("" << outcome.message);
     this->SetErrorCode(vtkErrorCode::UserError);
   }
+}
+
+Outcome vtkSolverMeshWriter::WriteView(MeshView& mesh)
+{
+  if (this->LeaveOutSheets)
+  {
+    mesh.leaveOutSheets();
+  }
+  const std::string sheets = namesOfSheets(mesh);
+  if (!sheets.empty() && !this->CanHoldSheets())
+  {
+    return Outcome::badInput(std::string(this->FileName) +
+      ": files of this kind cannot hold patches inside the mesh, and this mesh has: " + sheets +
+      ". Leave out wakes with LeaveOutSheets, or write a polyMesh, .cgns or .msh");
+  }
+  return this->WriteMesh(mesh);
 }
 
 void vtkSolverMeshWriter::PrintSelf(ostream& os, vtkIndent indent)

@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Leave out patches inside the mesh where the format cannot hold them, instead of refusing the mesh. Right for
-   * a wake, through which the flow passes; wrong for a wall without thickness. Default off.
+   * Leave out patches inside the mesh. Right for a wake, through which the flow passes; wrong for a wall without
+   * thickness. Default off.
    */
   vtkSetMacro(LeaveOutSheets, bool);
   vtkGetMacro(LeaveOutSheets, bool);
@@ -87,6 +87,8 @@ protected:
   bool LeaveOutSheets = false;
 
 private:
+  ransmesh::Outcome WriteView(ransmesh::MeshView& mesh);
+
   vtkSolverMeshWriter(const vtkSolverMeshWriter&) = delete;
   void operator=(const vtkSolverMeshWriter&) = delete;
 };

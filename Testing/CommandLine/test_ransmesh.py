@@ -78,7 +78,7 @@ class Usage(CommandLineTest):
         self.wrong("--first-height is missing", NOSECONE, *out)
         self.wrong("no option --frist-height", NOSECONE, *out, "--frist-height", "1")
         self.wrong("-o needs a value", NOSECONE, "-o")
-        self.wrong("-o writes .vtu, .su2", NOSECONE, "-o", self.path("mesh.stl"), *LAYERS)
+        self.wrong("-o writes .vtu, .su2, .cgns", NOSECONE, "-o", self.path("mesh.stl"), *LAYERS)
         self.wrong(".vtp files only", NOSECONE, *out, *LAYERS, "--problems", "p.stl")
         self.wrong("surfaces are read from", "body.step", *out, *LAYERS)
         self.wrong("surfaces are read from", NOSECONE, "--wake", "wake.step", *out, *LAYERS)

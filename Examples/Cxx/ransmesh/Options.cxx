@@ -57,8 +57,9 @@ Lengths are in the unit of the surfaces.
 
   SURFACE...            .stl .obj .ply .vtp, also gzipped; STL solids and OBJ groups are patches;
                         several files are several patches, named by file
-  -o MESH               the mesh, for whom its name's end says: .vtu ParaView and VTK; .su2 SU2; a folder
-                        named polyMesh, or CASE.foam beside the folder constant, OpenFOAM
+  -o MESH               the mesh, for whom its name's end says: .vtu ParaView and VTK; .su2 SU2; .cgns CGNS;
+                        .msh gmsh 2.2; .b8.ugrid, .lb8.ugrid, .ugrid FUN3D and AFLR3, with .mapbc;
+                        a folder named polyMesh, or CASE.foam beside the folder constant, OpenFOAM
   --leave-out-sheets    leave out the faces of --wake where such a file cannot hold them
 )";
   for (const OptionGroup* group : groups())

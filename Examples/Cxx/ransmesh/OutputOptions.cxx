@@ -14,7 +14,8 @@ void check(const Options& options)
   if (!endsWith(options.output, ".vtu") && !isSolverMesh(options.output))
   {
     throw UsageError(
-      "-o writes .vtu, .su2 and .foam files and folders named polyMesh, not " + options.output);
+      "-o writes .vtu, .su2, .cgns, .msh, .ugrid and .foam files and folders named polyMesh, not " +
+      options.output);
   }
   if (!options.wakes.empty() && !options.leaveOutSheets && !canHoldSheets(options.output))
   {

@@ -1,0 +1,36 @@
+/**
+ * @class   vtkCGNSMeshWriter
+ * @brief   writes a mesh as a CGNS file (.cgns), in HDF5
+ *
+ * One base, one unstructured zone; a section of elements for each kind of cell and for each patch, with the
+ * patch's name; for each patch a family and a boundary condition (BC_t, of the section's range of elements) of the
+ * type that corresponds to its own. A wake is a section with a family, without a boundary condition; a wall
+ * without thickness is refused.
+ *
+ * Input, errors, files: see vtkSolverMeshWriter; formats.md has the format's page.
+ */
+#ifndef vtkCGNSMeshWriter_h
+#define vtkCGNSMeshWriter_h
+
+#include "vtkSolverMeshWriter.h"
+
+class RANSMESHINGIO_EXPORT vtkCGNSMeshWriter : public vtkSolverMeshWriter
+{
+public:
+  static vtkCGNSMeshWriter* New();
+  vtkTypeMacro(vtkCGNSMeshWriter, vtkSolverMeshWriter);
+
+  bool CanHoldSheets() override { return true; }
+
+protected:
+  vtkCGNSMeshWriter() = default;
+  ~vtkCGNSMeshWriter() override = default;
+
+  ransmesh::Outcome WriteMesh(const ransmesh::MeshView& mesh) override;
+
+private:
+  vtkCGNSMeshWriter(const vtkCGNSMeshWriter&) = delete;
+  void operator=(const vtkCGNSMeshWriter&) = delete;
+};
+
+#endif
