@@ -55,9 +55,9 @@ TEST_P(TurbulentLaws, GiveTheFirstHeightOfThePublishedPlateWithinFivePerCent)
 
 INSTANTIATE_TEST_SUITE_P(FlowConditions, TurbulentLaws,
   testing::Values(SkinFrictionLaw::Schlichting, SkinFrictionLaw::PowerLaw, SkinFrictionLaw::SchultzGrunow),
-  [](const auto& info)
+  [](const auto& law)
   {
-    std::string name = nameOf(info.param);
+    std::string name = nameOf(law.param);
     std::erase_if(name, [](char c) { return !std::isalpha(static_cast<unsigned char>(c)); });
     return name;
   });
