@@ -78,12 +78,28 @@ void remarkUnmeshed(const MeshData& mesh, const Domain& domain, std::vector<std:
   }
 }
 
+// TetGen rounds the points that it adds in a plane.
+void putOnPlanes(const std::vector<ClosingPlane>& planes, MeshData& mesh)
+{
+  for (const ClosingPlane& plane : planes)
+  {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    {
+      for (int i = 0; i < 3 && mesh.trianglePatch[t] == plane.patch; ++i)
+      {
+        mesh.points[mesh.triangles[t][i]][plane.plane.axis] = plane.plane.place;
+      }
+    }
+  }
+}
+
 class Attempt
 {
 public:
   Attempt(const Domain& domain, const MeshingOptions& options, const TetGenWorker& worker)
     : domain_(domain)
-    , closed_(withoutSheets(domain.surface, domain.isSheet))
+    , closed_{ withoutSheets(domain.surface, domain.isSheet), domain.patches, domain.isSheet, domain.box,
+      domain.planes }
     , options_(options)
     , worker_(worker)
   {
@@ -91,13 +107,21 @@ public:
 
   TetGenEnd run(const Variant& variant, const Context& context, MeshingResult& result) const
   {
-    worker::Request request = describeDomain(domain_.surface, domain_.box);
+    worker::Request request;
+    if (Outcome outcome = describeDomain(domain_, request); !outcome.ok())
+    {
+      return { outcome };
+    }
     double begin = 0;
-    if (domain_.box || mayHaveHoles(closed_))
+    if (domain_.box || mayHaveHoles(closed_.surface))
     {
       begin = 0.2;
       // Sheets may divide the fluid: what is a body shows without them.
-      worker::Request bodies = describeDomain(closed_, domain_.box);
+      worker::Request bodies;
+      if (Outcome outcome = describeDomain(closed_, bodies); !outcome.ok())
+      {
+        return { outcome };
+      }
       bodies.switches = std::string("pA") + variant.switches;
       worker::Result regions;
       TetGenEnd end = worker_.run(bodies, within(context, 0, begin), regions);
@@ -143,6 +167,7 @@ private:
     {
       return refuseInside(assembled.unexpected, result);
     }
+    putOnPlanes(domain_.planes, assembled.mesh);
     const MeshFaults faults = findFaults(assembled.mesh);
     if (!faults.none())
     {
@@ -167,7 +192,7 @@ private:
   }
 
   const Domain& domain_;
-  SurfaceMesh closed_; // without the sheets
+  Domain closed_; // without the sheets
   const MeshingOptions& options_;
   const TetGenWorker& worker_;
 };

@@ -1,25 +1,15 @@
 // From a checked surface to a tetrahedral mesh: regions, sizes, and a ladder of attempts by TetGen.
 #pragma once
 
-#include "FarField.h"
+#include "Domain.h"
 #include "TetGenWorker.h"
 #include "Worker/SizeLimits.h"
 
 #include "Boundary/SurfaceCheck.h"
 #include "Mesh/MeshData.h"
 
-#include <optional>
-
 namespace ransmesh
 {
-struct Domain
-{
-  SurfaceMesh surface; // closed, but for its sheets
-  PatchTable patches;
-  std::vector<char> isSheet; // by patch number
-  std::optional<FarFieldBox> box;
-};
-
 struct MeshingOptions
 {
   SizeLimits limits;            // sizes that are asked for in space; its slope holds for the surface too

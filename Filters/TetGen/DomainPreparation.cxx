@@ -24,6 +24,17 @@ void makeBodiesWalls(PatchTable& patches)
   }
 }
 
+void append(const SurfaceMesh& part, SurfaceMesh& surface)
+{
+  const auto offset = static_cast<Index>(surface.points.size());
+  surface.points.insert(surface.points.end(), part.points.begin(), part.points.end());
+  surface.patch.insert(surface.patch.end(), part.patch.begin(), part.patch.end());
+  for (const auto& t : part.triangles)
+  {
+    surface.triangles.push_back({ t[0] + offset, t[1] + offset, t[2] + offset });
+  }
+}
+
 // Passes on what a check of the surface said.
 Outcome accept(const SurfaceVerdict& verdict, const SurfaceMesh& surface, MesherReport& report)
 {
@@ -39,9 +50,21 @@ Outcome accept(const SurfaceVerdict& verdict, const SurfaceMesh& surface, Mesher
   return verdict.outcome;
 }
 
-Outcome checkSurface(SurfaceInput& input, MesherReport& report)
+using Planes = std::vector<DomainPlane>;
+
+Outcome cutSurface(Planes& planes, SurfaceInput& input)
 {
-  const SurfaceVerdict verdict = mendAndCheck(input.surface, input.patches);
+  if (planes.empty())
+  {
+    return Outcome::done();
+  }
+  const Outcome outcome = checkExtent(input.surface);
+  return outcome.ok() ? cutByPlanes(input.surface, planes) : outcome;
+}
+
+Outcome checkSurface(const Planes& planes, SurfaceInput& input, MesherReport& report)
+{
+  const SurfaceVerdict verdict = mendAndCheck(input.surface, input.patches, axisPlanes(planes));
   return accept(verdict, input.surface, report);
 }
 
@@ -56,7 +79,8 @@ void splitPatches(const MesherSettings& settings, SurfaceInput& input)
   }
 }
 
-Outcome remesh(const MesherSettings& settings, SurfaceInput& input, MesherReport& report)
+Outcome remesh(
+  const MesherSettings& settings, const Planes& planes, SurfaceInput& input, MesherReport& report)
 {
   if (settings.surfaceEdgeLength == 0)
   {
@@ -67,7 +91,8 @@ Outcome remesh(const MesherSettings& settings, SurfaceInput& input, MesherReport
   {
     return outcome;
   }
-  outcome = checkSurface(input, report);
+  snapToPlanes(input.surface, planes);
+  outcome = checkSurface(planes, input, report);
   if (!outcome.ok())
   {
     std::ostringstream text;
@@ -83,6 +108,31 @@ Outcome setPatchTypes(const MesherSettings& settings, SurfaceInput& input)
   input.isSheet.resize(input.patches.size(), 0);
   const Outcome outcome = setTypes(settings.typeOfPattern, input.patches);
   return outcome.ok() ? checkSheetTypes(input.patches, input.isSheet) : outcome;
+}
+
+// A box, or a sphere as a part of the surface.
+void addFarField(const MesherSettings& settings, const Planes& planes, SurfaceInput& input, Domain& domain)
+{
+  const FarFieldOptions& options = *settings.farField;
+  const Extent bodies = extentOf(input.surface.points);
+  makeBodiesWalls(input.patches);
+  if (options.isSphere)
+  {
+    append(makeSphere(bodies, options.margins[0], settings.meshing.limits.maximum, planes, input.patches),
+      input.surface);
+    return;
+  }
+  domain.box = makeFarField(bodies, options, planes, input.patches);
+}
+
+// The planes' patches: sides of the box, or new ones.
+void addPlanes(const Planes& planes, SurfaceInput& input, Domain& domain)
+{
+  for (const DomainPlane& plane : planes)
+  {
+    domain.planes.push_back({ plane.plane,
+      domain.box ? domain.box->patches[sideOf(plane.plane)] : addPatch(plane.patch, input.patches) });
+  }
 }
 
 std::optional<Extent> extentOfBox(const Domain& domain)
@@ -105,20 +155,33 @@ Outcome addSheets(SurfaceMesh sheets, Domain& domain, MesherReport& report)
 Outcome prepareDomain(
   const MesherSettings& settings, SurfaceInput input, Domain& domain, MesherReport& report)
 {
-  if (Outcome outcome = checkSurface(input, report); !outcome.ok())
+  Planes planes = settings.planes;
+  if (Outcome outcome = cutSurface(planes, input); !outcome.ok())
+  {
+    return outcome;
+  }
+  if (Outcome outcome = checkSurface(planes, input, report); !outcome.ok())
   {
     return outcome;
   }
   splitPatches(settings, input);
-  if (Outcome outcome = remesh(settings, input, report); !outcome.ok())
+  if (Outcome outcome = remesh(settings, planes, input, report); !outcome.ok())
   {
     return outcome;
   }
-  if (settings.farFieldMargins)
+  if (settings.farField)
   {
-    makeBodiesWalls(input.patches);
-    domain.box = makeFarField(extentOf(input.surface.points), *settings.farFieldMargins, input.patches);
+    if (Outcome outcome = checkSides(*settings.farField); !outcome.ok())
+    {
+      return outcome;
+    }
+    addFarField(settings, planes, input, domain);
   }
+  if (Outcome outcome = domain.box ? Outcome::done() : checkReach(input.surface, planes); !outcome.ok())
+  {
+    return outcome;
+  }
+  addPlanes(planes, input, domain);
   if (Outcome outcome = setPatchTypes(settings, input); !outcome.ok())
   {
     return outcome;

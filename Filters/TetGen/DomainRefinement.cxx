@@ -29,7 +29,13 @@ std::vector<char> frozenPoints(const Domain& domain)
 // Of the space between the bodies and the box, or, without a box, inside the surface.
 double domainVolume(const Domain& domain)
 {
-  const double inside = enclosedVolume(withoutSheets(domain.surface, domain.isSheet));
+  // The planes' own parts enclose nothing with a point in them.
+  Vector3 apex = domain.surface.points[0];
+  for (const ClosingPlane& plane : domain.planes)
+  {
+    apex[plane.plane.axis] = plane.plane.place;
+  }
+  const double inside = enclosedVolume(withoutSheets(domain.surface, domain.isSheet), apex);
   if (!domain.box)
   {
     return inside;

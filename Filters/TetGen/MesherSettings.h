@@ -3,7 +3,6 @@
 
 #include "DomainMeshing.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,7 +17,8 @@ struct MesherSettings
   double surfaceEdgeLength = 0; // 0: the surface triangles are kept
   bool improveTriangles = true;
   double surfaceAngle = 10; // degrees, how far swaps may turn the surface
-  std::optional<std::array<double, 6>> farFieldMargins;
+  std::optional<FarFieldOptions> farField;
+  std::vector<DomainPlane> planes;
   std::vector<std::pair<std::string, std::string>> typeOfPattern;
   MeshingOptions meshing;
 };

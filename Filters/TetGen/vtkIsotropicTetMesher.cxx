@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct vtkIsotropicTetMesher::Internals
   std::vector<ransmesh::SizeBox> Boxes;
   std::vector<ransmesh::SizeSphere> Spheres;
   std::vector<std::pair<std::string, std::string>> TypeOfPattern;
+  std::array<std::optional<ransmesh::SideName>, 6> Sides;
 };
 
 namespace
@@ -96,6 +98,13 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << margin;
   }
   os << "\n";
+  os << indent << "FarFieldShape: " << this->FarFieldShape << "\n";
+  os << indent << "SymmetryPlane: " << this->SymmetryPlane << "\n";
+  os << indent << "SymmetryPosition: " << this->SymmetryPosition << "\n";
+  os << indent << "WaterlinePlane: " << this->WaterlinePlane << "\n";
+  os << indent << "WaterlinePosition: " << this->WaterlinePosition << "\n";
+  os << indent << "GroundPlane: " << this->GroundPlane << "\n";
+  os << indent << "GroundPosition: " << this->GroundPosition << "\n";
   os << indent << "PatchFromFeatureAngle: " << this->PatchFromFeatureAngle << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Refinement boxes: " << this->Lists->Boxes.size() << "\n";
@@ -159,6 +168,27 @@ void vtkIsotropicTetMesher::ClearPatchTypes()
 }
 
 //------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::SetFarFieldSide(const char* side, const char* name, const char* type)
+{
+  const auto& known = ransmesh::SideNames;
+  const auto found = std::find(known.begin(), known.end(), std::string(side ? side : ""));
+  if (found == known.end() || !name || !*name)
+  {
+    vtkErrorMacro("SetFarFieldSide needs a side (xmin, xmax, ymin, ymax, zmin or zmax) and a name.");
+    return;
+  }
+  this->Lists->Sides[found - known.begin()] = { name, type ? type : "" };
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearFarFieldSides()
+{
+  this->Lists->Sides = {};
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
 void vtkIsotropicTetMesher::AddSheetData(vtkDataObject* sheets)
 {
   this->AddInputDataObject(1, sheets);
@@ -213,6 +243,9 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
     within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
     within("MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18) &&
     within("FeatureAngle", this->FeatureAngle, 0, 180) &&
+    within("SymmetryPosition", this->SymmetryPosition, -1e50, 1e50) &&
+    within("WaterlinePosition", this->WaterlinePosition, -1e50, 1e50) &&
+    within("GroundPosition", this->GroundPosition, -1e50, 1e50) &&
     within("WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9);
   for (int i = 0; valid && this->FarField && i < 6; ++i)
   {
@@ -253,11 +286,7 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.surfaceEdgeLength = this->SurfaceEdgeLength;
   settings.improveTriangles = this->ImproveSurfaceTriangles;
   settings.surfaceAngle = this->MaximumSurfaceAngle;
-  if (this->FarField)
-  {
-    settings.farFieldMargins.emplace();
-    std::copy_n(this->FarFieldMargins, 6, settings.farFieldMargins->begin());
-  }
+  this->DescribeDomain(settings);
   settings.typeOfPattern = this->Lists->TypeOfPattern;
   settings.meshing.limits.maximum = this->MaximumEdgeLength;
   settings.meshing.limits.slope = this->SurfaceGrowthRate - 1;
@@ -266,6 +295,32 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.meshing.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
   settings.meshing.minimumDihedral = this->MinimumDihedralAngle;
   return settings;
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::DescribeDomain(ransmesh::MesherSettings& settings) const
+{
+  if (this->FarField)
+  {
+    ransmesh::FarFieldOptions& farField = settings.farField.emplace();
+    farField.isSphere = this->FarFieldShape == SPHERE;
+    std::copy_n(this->FarFieldMargins, 6, farField.margins.begin());
+    farField.sides = this->Lists->Sides;
+  }
+  using Keep = ransmesh::DomainPlane::Keep;
+  const auto add = [&](int axis, double place, Keep keep, const char* purpose, const ransmesh::Patch& patch)
+  {
+    if (axis != NO_PLANE)
+    {
+      settings.planes.push_back({ purpose, { axis - 1, place, true }, keep, patch });
+    }
+  };
+  add(this->SymmetryPlane, this->SymmetryPosition, Keep::Larger, "symmetry plane",
+    { "symmetry", ransmesh::PatchType::Symmetry });
+  add(this->WaterlinePlane, this->WaterlinePosition, Keep::Below, "waterline",
+    { "waterline", ransmesh::PatchType::Symmetry });
+  add(
+    this->GroundPlane, this->GroundPosition, Keep::Above, "ground", { "ground", ransmesh::PatchType::Wall });
 }
 
 //------------------------------------------------------------------------------

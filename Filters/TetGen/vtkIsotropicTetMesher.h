@@ -3,8 +3,8 @@
  * @brief   fills closed triangulated surfaces with isotropic tetrahedra
  *
  * First stage of the chain to a RANS mesh: meshes the domain that the input surfaces bound, or, with
- * FarField, the space between the input bodies and a box around them. The insides of bodies are found and
- * left empty. Surface triangles are kept, except that very obtuse ones are improved, that edges
+ * FarField, the space between the input bodies and a box or sphere around them. Planes of symmetry, a waterline
+ * and the ground cut the surfaces and close the domain. The insides of bodies are found and left empty. Surface triangles are kept, except that very obtuse ones are improved, that edges
  * longer than the wanted size are halved, and that surfaces are remeshed on demand; sizes in the volume grow away from the surface. TetGen does the work, in a process of its own: whatever
  * happens there becomes an error of this filter.
  *
@@ -143,6 +143,76 @@ public:
   vtkGetVector6Macro(FarFieldMargins, double);
   ///@}
 
+  enum FarFieldShapes
+  {
+    BOX = 0,
+    SPHERE = 1
+  };
+  ///@{
+  /**
+   * The shape of the far field: BOX, or SPHERE, one patch `farfield`, whose distance from the bodies is the first
+   * of FarFieldMargins; its triangles have edges of a fifth of its radius, or of MaximumEdgeLength if that is
+   * less. Default BOX.
+   */
+  vtkSetClampMacro(FarFieldShape, int, BOX, SPHERE);
+  vtkGetMacro(FarFieldShape, int);
+  void SetFarFieldShapeToBox() { this->SetFarFieldShape(BOX); }
+  void SetFarFieldShapeToSphere() { this->SetFarFieldShape(SPHERE); }
+  ///@}
+
+  ///@{
+  /**
+   * Names a side of the far-field box (xmin, xmax, ymin, ymax, zmin or zmax). type: as in SetPatchType; empty or
+   * null: what the name suggests (inlet, outlet, symmetry, ...), else farfield. Sides of one name are one patch.
+   */
+  void SetFarFieldSide(const char* side, const char* name, const char* type = nullptr);
+  void ClearFarFieldSides();
+  ///@}
+
+  enum PlaneAxes
+  {
+    NO_PLANE = 0,
+    ACROSS_X = 1,
+    ACROSS_Y = 2,
+    ACROSS_Z = 3
+  };
+  ///@{
+  /**
+   * A plane of symmetry across an axis, at SymmetryPosition, in the unit of the surface: NO_PLANE, ACROSS_X,
+   * ACROSS_Y or ACROSS_Z. The surfaces are cut there; the side on which they reach farther stays (the side above
+   * if that is equal). A half model may end in the plane, with open edges that lie in it within 1e-6 of its
+   * largest extent. The plane becomes the patch `symmetry` of type symmetry: a side of the far-field box, the cut
+   * through the sphere, or what closes the surfaces there. Default NO_PLANE, at 0.
+   */
+  vtkSetClampMacro(SymmetryPlane, int, NO_PLANE, ACROSS_Z);
+  vtkGetMacro(SymmetryPlane, int);
+  vtkSetMacro(SymmetryPosition, double);
+  vtkGetMacro(SymmetryPosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * The undisturbed surface of the water, across an axis, at WaterlinePosition: what lies above it is cut off.
+   * It becomes the patch `waterline` of type symmetry. Default NO_PLANE, at 0.
+   */
+  vtkSetClampMacro(WaterlinePlane, int, NO_PLANE, ACROSS_Z);
+  vtkGetMacro(WaterlinePlane, int);
+  vtkSetMacro(WaterlinePosition, double);
+  vtkGetMacro(WaterlinePosition, double);
+  ///@}
+
+  ///@{
+  /**
+   * The ground, across an axis, at GroundPosition: what lies below it is cut off. Wheels must reach into it a
+   * little: where they merely touch it, the gap beside the contact ends in a wedge without angle. It becomes the
+   * patch `ground` of type wall. Default NO_PLANE, at 0.
+   */
+  vtkSetClampMacro(GroundPlane, int, NO_PLANE, ACROSS_Z);
+  vtkGetMacro(GroundPlane, int);
+  vtkSetMacro(GroundPosition, double);
+  vtkGetMacro(GroundPosition, double);
+  ///@}
+
   ///@{
   /**
    * Whether an input (or block) without any patch numbers is split into patches where its surface turns by
@@ -217,6 +287,13 @@ protected:
   double MinimumDihedralAngle = 10;
   bool FarField = false;
   double FarFieldMargins[6] = { 5, 5, 5, 5, 5, 5 };
+  int FarFieldShape = BOX;
+  int SymmetryPlane = NO_PLANE;
+  double SymmetryPosition = 0;
+  int WaterlinePlane = NO_PLANE;
+  double WaterlinePosition = 0;
+  int GroundPlane = NO_PLANE;
+  double GroundPosition = 0;
   bool PatchFromFeatureAngle = false;
   double FeatureAngle = 30;
   char* WorkerExecutable = nullptr;
@@ -232,6 +309,8 @@ private:
   bool OptionsAreValid();
   std::string FindWorker();
   ransmesh::MesherSettings GetSettings() const;
+  // Adds what bounds the domain besides the surfaces.
+  void DescribeDomain(ransmesh::MesherSettings& settings) const;
   // Reports why there is no mesh, and shows the triangles that are wrong. Gives RequestData's answer.
   int Refuse(const ransmesh::Outcome& outcome, const ransmesh::MesherReport& report, vtkPolyData* problems);
 };

@@ -92,6 +92,11 @@ class Usage(CommandLineTest):
         self.wrong("whole number", NOSECONE, *out, *LAYERS, "--threads", "0")
         self.wrong("give one of them", NOSECONE, *out, *LAYERS, "--thickness", "0.1")
         self.wrong("makes no layers", NOSECONE, *out, *LAYERS, "--isotropic-only")
+        self.wrong("needs an axis and a place", NOSECONE, *out, *LAYERS, "--waterline", "w=1")
+        self.wrong("needs a number", NOSECONE, *out, *LAYERS, "--ground", "z=low")
+        self.wrong("give one of them", NOSECONE, *out, *LAYERS, "--far-field", "5", "--far-field-sphere", "5")
+        self.wrong("--side needs SIDE=NAME", NOSECONE, *out, *LAYERS, "--far-field", "5", "--side", "left=a")
+        self.wrong("give that, too", NOSECONE, *out, *LAYERS, "--side", "xmin=inlet")
 
     def test_help_and_version(self):
         for option in ("--help", "-h"):
@@ -206,6 +211,21 @@ class Options(CommandLineTest):
         wake = self.file("through.stl", surfaces.stl_text(points, {"through": triangles}))
         os.remove(self.mesh)
         self.fails(1, "the sheet 'through' cuts or touches", self.box_obj(), "--wake", wake, *LAYERS, "-o", self.mesh)
+
+    def test_planes_and_sides(self):
+        points, triangles = surfaces.sphere()
+        ball = self.file("ball.obj", surfaces.obj_text(points, {"ball": triangles}))
+        patches = self.patches_of(ball, "--far-field", "3", "--symmetry-plane", "y", "--waterline", "z=0.5",
+                                  "--side", "xmin=inlet", "xmax=back:outlet", "--isotropic-only")
+        self.assertEqual(patches["symmetry"], "symmetry")
+        self.assertEqual(patches["waterline"], "symmetry")
+        self.assertEqual(patches["inlet"], "inlet")
+        self.assertEqual(patches["back"], "outlet")
+        self.assertNotIn("farfield_ymin", patches)
+        self.assertNotIn("farfield_zmax", patches)
+        patches = self.patches_of(ball, "--far-field-sphere", "3", "--ground", "z=-0.9", *LAYERS)
+        self.assertEqual(patches["farfield"], "farfield")
+        self.assertEqual(patches["ground"], "wall")
 
     def test_surfaces_are_remeshed(self):
         kept = self.cells("--isotropic-only")

@@ -61,7 +61,18 @@ void Chain::describeDomain()
     const double margin = options_.farField;
     mesher_->FarFieldOn();
     mesher_->SetFarFieldMargins(margin, margin, margin, margin, margin, margin);
+    mesher_->SetFarFieldShape(options_.sphere ? vtkIsotropicTetMesher::SPHERE : vtkIsotropicTetMesher::BOX);
   }
+  for (const SideOption& side : options_.sides)
+  {
+    mesher_->SetFarFieldSide(side.side.c_str(), side.name.c_str(), side.type.c_str());
+  }
+  mesher_->SetSymmetryPlane(options_.symmetry.axis);
+  mesher_->SetSymmetryPosition(options_.symmetry.place);
+  mesher_->SetWaterlinePlane(options_.waterline.axis);
+  mesher_->SetWaterlinePosition(options_.waterline.place);
+  mesher_->SetGroundPlane(options_.ground.axis);
+  mesher_->SetGroundPosition(options_.ground.place);
 }
 
 void Chain::describeFlow(vtkRANSLayerAlgorithm* filter) const

@@ -1,10 +1,64 @@
 #include "Arguments.h"
 
+#include <set>
+
 namespace commandline
 {
 namespace
 {
-void check(const Options&) {}
+// x, y or z, or with a place: z=0.25.
+PlaneOption planeOf(Arguments& arguments, const std::string& option)
+{
+  const std::string& word = arguments.valueOf(option);
+  const std::size_t axis = word.empty() ? std::string::npos : std::string("xyz").find(word[0]);
+  if (axis == std::string::npos || (word.size() > 1 && word[1] != '='))
+  {
+    throw UsageError(option + " needs an axis and a place, as in z=0.25, not " + word);
+  }
+  return { static_cast<int>(axis) + 1, word.size() > 1 ? finiteNumber(word.substr(2), option) : 0 };
+}
+
+// SIDE=NAME or SIDE=NAME:TYPE.
+SideOption sideOf(const std::string& word)
+{
+  static const std::set<std::string> sides = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
+  const std::size_t equals = word.find('=');
+  const std::size_t colon = word.find(':');
+  const std::size_t begin = equals + 1;
+  if (equals == std::string::npos || !sides.contains(word.substr(0, equals)) || begin == word.size() ||
+    begin == colon)
+  {
+    throw UsageError("--side needs SIDE=NAME or SIDE=NAME:TYPE, as in xmin=inlet, not " + word);
+  }
+  return { word.substr(0, equals), word.substr(begin, colon == std::string::npos ? colon : colon - begin),
+    colon == std::string::npos ? "" : word.substr(colon + 1) };
+}
+
+void addSides(Options& options, Arguments& arguments, const std::string& option)
+{
+  for (const std::string& word : valuesOf(arguments, option))
+  {
+    options.sides.push_back(sideOf(word));
+  }
+}
+
+void setFarField(Options& options, double margin, bool sphere)
+{
+  if (options.farField > 0)
+  {
+    throw UsageError("--far-field or --far-field-sphere: give one of them, once");
+  }
+  options.farField = margin;
+  options.sphere = sphere;
+}
+
+void check(const Options& options)
+{
+  if (!options.sides.empty() && (options.farField == 0 || options.sphere))
+  {
+    throw UsageError("--side names the sides of the box that --far-field makes: give that, too");
+  }
+}
 } // namespace
 
 const OptionGroup& domainOptions()
@@ -14,13 +68,27 @@ const OptionGroup& domainOptions()
   using S = const std::string;
   static const OptionGroup group = {
     {
-      { "--far-field", [](O& o, A& a, S& name) { o.farField = positiveOf(a, name); } },
+      { "--far-field", [](O& o, A& a, S& name) { setFarField(o, positiveOf(a, name), false); } },
+      { "--far-field-sphere", [](O& o, A& a, S& name) { setFarField(o, positiveOf(a, name), true); } },
+      { "--side", addSides },
+      { "--symmetry-plane", [](O& o, A& a, S& name) { o.symmetry = planeOf(a, name); } },
+      { "--waterline", [](O& o, A& a, S& name) { o.waterline = planeOf(a, name); } },
+      { "--ground", [](O& o, A& a, S& name) { o.ground = planeOf(a, name); } },
       { "--size", [](O& o, A& a, S& name) { o.size = positiveOf(a, name); } },
     },
     check, R"(
 Domain
   --far-field M         a box around the bodies, M body lengths on each side;
                         without it the surfaces themselves bound the domain
+  --far-field-sphere M  a sphere instead, M body lengths from the bodies
+  --side SIDE=NAME[:TYPE]...
+                        names sides of the box: xmin=inlet xmax=outlet zmax=top:symmetry; what is
+                        not told of the type, the name suggests; sides of one name are one patch
+  --symmetry-plane AXIS[=V]
+                        a plane of symmetry, as in y or y=0.5: what lies on its lesser side is cut
+                        off; half models may end in it, open; patch `symmetry`
+  --waterline z=V       what lies above this plane is cut off; patch `waterline`, of type symmetry
+  --ground z=V          what lies below this plane is cut off, as of wheels; patch `ground`, a wall
   --size L              largest edge in the field
 )"
   };

@@ -24,6 +24,19 @@ struct FlowOptions
   bool isGiven() const { return velocity > 0 || reynoldsNumber > 0; }
 };
 
+struct PlaneOption
+{
+  int axis = 0; // 1, 2, 3: across x, y, z; 0: no plane
+  double place = 0;
+};
+
+struct SideOption
+{
+  std::string side; // xmin, ...
+  std::string name;
+  std::string type; // empty: as the name suggests
+};
+
 struct Options
 {
   std::vector<std::string> surfaces;
@@ -35,7 +48,12 @@ struct Options
   bool prisms = false;         // layers of prisms instead of tetrahedra
   std::vector<std::string> walls;
   FlowOptions flow;
-  double farField = 0;    // body lengths on each side; 0: no far field
+  double farField = 0; // body lengths on each side; 0: no far field
+  bool sphere = false; // the far field is a sphere
+  PlaneOption symmetry;
+  PlaneOption waterline;
+  PlaneOption ground;
+  std::vector<SideOption> sides;
   double size = 0;        // 0: no limit
   double surfaceSize = 0; // 0: surfaces are kept
   double swapAngle = -1;  // degrees; 0: the surface triangles are kept; negative: not given

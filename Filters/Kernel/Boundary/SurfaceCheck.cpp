@@ -4,6 +4,7 @@
 #include "Boundary/SurfaceIntersections.h"
 #include "Boundary/SurfaceRepair.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace ransmesh
@@ -70,14 +71,21 @@ bool findDegenerate(const SurfaceMesh& surface, const PatchTable& patches, Surfa
   return true;
 }
 
-bool findOpenEdges(const SurfaceMesh& surface, const PatchTable& patches, SurfaceVerdict& verdict)
+bool findOpenEdges(const SurfaceMesh& surface, const PatchTable& patches,
+  const std::vector<AxisPlane>& closedBy, SurfaceVerdict& verdict)
 {
+  const auto isClosed = [&](const SurfaceEdge& edge)
+  {
+    const auto holdsEdge = [&](const AxisPlane& plane)
+    { return plane.holds(surface.points[edge.a]) && plane.holds(surface.points[edge.b]); };
+    return std::any_of(closedBy.begin(), closedBy.end(), holdsEdge);
+  };
   std::size_t open = 0;
   Vector3 where;
   forEachEdge(sortedEdges(surface),
     [&](const SurfaceEdge* first, const SurfaceEdge* last)
     {
-      if (last - first == 1)
+      if (last - first == 1 && !isClosed(*first))
       {
         if (open++ == 0)
         {
@@ -167,7 +175,8 @@ Outcome checkExtent(const SurfaceMesh& surface)
   return Outcome::done();
 }
 
-SurfaceVerdict mendAndCheck(SurfaceMesh& surface, const PatchTable& patches)
+SurfaceVerdict mendAndCheck(
+  SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy)
 {
   SurfaceVerdict verdict;
   verdict.outcome = checkExtent(surface);
@@ -181,7 +190,7 @@ SurfaceVerdict mendAndCheck(SurfaceMesh& surface, const PatchTable& patches)
     verdict.outcome = Outcome::badInput("all triangles of the surface are degenerate");
     return verdict;
   }
-  findDegenerate(surface, patches, verdict) || findOpenEdges(surface, patches, verdict) ||
+  findDegenerate(surface, patches, verdict) || findOpenEdges(surface, patches, closedBy, verdict) ||
     findCrossings(surface, patches, verdict);
   return verdict;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boundary/Patch.h"
+#include "Boundary/PlaneCutting.h"
 #include "Boundary/SurfaceMesh.h"
 #include "Support/Outcome.h"
 
@@ -44,8 +45,10 @@ Outcome checkCoordinates(const SurfaceMesh& surface, const char* what);
 Outcome checkExtent(const SurfaceMesh& surface);
 
 // Mends what is harmless (points of equal coordinates, collapsed, flat or repeated triangles), then
-// looks for open edges and intersections, in exact arithmetic.
-SurfaceVerdict mendAndCheck(SurfaceMesh& surface, const PatchTable& patches);
+// looks for open edges and intersections, in exact arithmetic. In the planes `closedBy` edges may be open: the
+// planes close the surface there.
+SurfaceVerdict mendAndCheck(
+  SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy = {});
 
 // "(x, y, z) in patch 'name'" of a triangle's centre.
 std::string placeOf(const SurfaceMesh& surface, Index triangle, const PatchTable& patches);

@@ -223,12 +223,16 @@ bool halveLongEdges(SurfaceMesh& surface, const std::function<double(const Vecto
 
 double enclosedVolume(const SurfaceMesh& surface)
 {
+  return surface.points.empty() ? 0 : enclosedVolume(surface, surface.points[0]);
+}
+
+double enclosedVolume(const SurfaceMesh& surface, const Vector3& apex)
+{
   double six = 0;
-  const Vector3 origin = surface.points.empty() ? Vector3{} : surface.points[0];
   for (const auto& t : surface.triangles)
   {
     const auto& p = surface.points;
-    six += dot(p[t[0]] - origin, cross(p[t[1]] - origin, p[t[2]] - origin));
+    six += dot(p[t[0]] - apex, cross(p[t[1]] - apex, p[t[2]] - apex));
   }
   return std::fabs(six) / 6;
 }

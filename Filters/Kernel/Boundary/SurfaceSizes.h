@@ -20,6 +20,7 @@ bool halveLongEdges(SurfaceMesh& surface, const std::function<double(const Vecto
   std::size_t mostTriangles = 20'000'000, double factor = 1.5);
 
 // The volume that a closed surface encloses, in the cube of the length unit: rounded, and too small
-// where triangles are not turned alike.
+// where triangles are not turned alike. The second closes an open surface by triangles to the apex.
 double enclosedVolume(const SurfaceMesh& surface);
+double enclosedVolume(const SurfaceMesh& surface, const Vector3& apex);
 } // namespace ransmesh

@@ -9,7 +9,7 @@
 
 namespace ransmesh::worker
 {
-inline constexpr std::uint64_t Version = 0x52414e534d533032; // "RANSMS02"
+inline constexpr std::uint64_t Version = 0x52414e534d533033; // "RANSMS03"
 
 // Exit status of the worker: 0, one of these, or, when TetGen gave up with an error number, ExitTetGen +
 // number. Sanitizers end programs with statuses around 23, shells use 126 and more.
@@ -24,14 +24,16 @@ inline constexpr const char* ProgressMark = "ransmesh points ";
 struct Request
 {
   std::string switches;
-  std::vector<double> points;            // x, y, z
-  std::vector<std::int32_t> offsets;     // of polygon i: corners[offsets[i]] ... corners[offsets[i + 1]]
-  std::vector<std::int32_t> corners;     // numbers of points
-  std::vector<std::int32_t> markers;     // of each polygon
-  std::vector<std::int32_t> segments;    // a polygon and two points: edges that lie in a polygon
-  std::vector<double> holes;             // x, y, z
-  std::vector<std::int32_t> freeMarkers; // polygons with these markers may be split, in spite of -Y
-  std::vector<std::int32_t> freeSides;   // pairs of points: polygon sides that may be split, too
+  std::vector<double> points;                // x, y, z
+  std::vector<std::int32_t> offsets;         // of polygon i: corners[offsets[i]] ... corners[offsets[i + 1]]
+  std::vector<std::int32_t> corners;         // numbers of points
+  std::vector<std::int32_t> markers;         // of each polygon
+  std::vector<std::int32_t> segments;        // a polygon and two points: edges that lie in a polygon
+  std::vector<std::int32_t> facetHoleOwners; // the polygon of each hole in a polygon
+  std::vector<double> facetHoles;            // x, y, z
+  std::vector<double> holes;                 // x, y, z
+  std::vector<std::int32_t> freeMarkers;     // polygons with these markers may be split, in spite of -Y
+  std::vector<std::int32_t> freeSides;       // pairs of points: polygon sides that may be split, too
   // The wanted edge length at x is the smallest of maximumSize (0: none) and, over all sources,
   // size + slope * distance to the source. No sources of any kind: no size is asked.
   double maximumSize = 0;
@@ -60,6 +62,8 @@ void transfer(Archive& archive, Request& r)
   archive(r.corners);
   archive(r.markers);
   archive(r.segments);
+  archive(r.facetHoleOwners);
+  archive(r.facetHoles);
   archive(r.holes);
   archive(r.freeMarkers);
   archive(r.freeSides);

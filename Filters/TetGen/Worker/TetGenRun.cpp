@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <map>
 #include <memory>
 
 #ifndef TETLIBRARY
@@ -207,6 +208,24 @@ void setPolygon(const std::int32_t* corners, int count, tetgenio::polygon& polyg
   std::copy_n(corners, count, polygon.vertexlist);
 }
 
+void setFacetHoles(const Request& request, tetgenio& in)
+{
+  std::map<std::int32_t, std::vector<double>> holesOf;
+  for (std::size_t i = 0; i < request.facetHoleOwners.size(); ++i)
+  {
+    const double* hole = request.facetHoles.data() + 3 * i;
+    auto& holes = holesOf[request.facetHoleOwners[i]];
+    holes.insert(holes.end(), hole, hole + 3);
+  }
+  for (const auto& [polygon, holes] : holesOf)
+  {
+    tetgenio::facet& facet = in.facetlist[polygon];
+    facet.numberofholes = static_cast<int>(holes.size() / 3);
+    facet.holelist = new double[holes.size()];
+    std::copy(holes.begin(), holes.end(), facet.holelist);
+  }
+}
+
 void setFacets(const Request& request, tetgenio& in)
 {
   std::vector<std::vector<std::size_t>> segmentsOf(request.markers.size());
@@ -231,6 +250,7 @@ void setFacets(const Request& request, tetgenio& in)
     }
     in.facetmarkerlist[i] = request.markers[i];
   }
+  setFacetHoles(request, in);
 }
 
 // With -Y nothing on polygons is split, except where a constraint is given: a bound so large that it

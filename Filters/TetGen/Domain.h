@@ -1,0 +1,23 @@
+// What is to be meshed.
+#pragma once
+
+#include "DomainPlane.h"
+#include "FarField.h"
+
+#include "Boundary/Patch.h"
+#include "Boundary/SurfaceMesh.h"
+
+#include <optional>
+#include <vector>
+
+namespace ransmesh
+{
+struct Domain
+{
+  SurfaceMesh surface; // closed, but for its sheets and in the planes
+  PatchTable patches;
+  std::vector<char> isSheet; // by patch number
+  std::optional<FarFieldBox> box;
+  std::vector<ClosingPlane> planes; // with a box, some of its sides
+};
+} // namespace ransmesh
