@@ -39,8 +39,15 @@ chain_run::ChainOptions randomOptions(std::uint32_t seed, double size)
   return options;
 }
 
+// The largest of all bodies.
+struct VolumeChanges
+{
+  double byRemoval = 0;
+  double byEnrichment = 0;
+};
+
 // Whether there is such a body.
-bool isMeshedWell(std::uint32_t seed)
+bool isMeshedWell(std::uint32_t seed, VolumeChanges& largest)
 {
   const bodies::RandomBody random = bodies::randomBody(seed);
   if (random.body.surface.triangles.empty())
@@ -53,9 +60,11 @@ bool isMeshedWell(std::uint32_t seed)
     const chain_run::ChainResult result = runChain(toPolyData(random.body), options);
     EXPECT_EQ(result.faults, "") << "seed " << seed;
     // Round walls lose points, and get new chords, beside concave edges.
-    EXPECT_LT(result.volumeChangeByRemoval, 2e-2) << "seed " << seed;
+    EXPECT_LT(result.volumeChangeByRemoval, 1e-3) << "seed " << seed;
     EXPECT_LT(result.volumeChange, 1e-3) << "seed " << seed;
     EXPECT_GT(result.inserted, 0) << "seed " << seed;
+    largest.byRemoval = std::max(largest.byRemoval, result.volumeChangeByRemoval);
+    largest.byEnrichment = std::max(largest.byEnrichment, result.volumeChange);
   }
   catch (const std::exception& error)
   {
@@ -70,10 +79,12 @@ TEST(Property, RandomBodiesGiveValidMeshes)
   const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", 30);
   const std::uint32_t first = numberFrom("RANSMESHING_FIRST_SEED", 1);
   std::uint32_t meshed = 0;
+  VolumeChanges largest;
   for (std::uint32_t seed = first; seed < first + count; ++seed)
   {
-    meshed += isMeshedWell(seed) ? 1 : 0;
+    meshed += isMeshedWell(seed, largest) ? 1 : 0;
   }
-  std::cout << meshed << " of " << count << " bodies were meshed\n";
+  std::cout << meshed << " of " << count << " bodies were meshed; their volumes changed by at most "
+            << largest.byRemoval << " by removal, " << largest.byEnrichment << " by enrichment\n";
   EXPECT_GE(meshed, count / 2);
 }

@@ -5,6 +5,7 @@
 #include "Insertion/TensorGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -13,6 +14,10 @@ namespace ransmesh
 {
 namespace
 {
+// How far the points that a grid brings to a wall may lie off the planes of its triangles, in lengths of its
+// edges: the triangles move there.
+constexpr double LargestDrift = 0.05;
+
 // One end of a strip along a ridge: the points on the wall, from the ridge outward.
 struct StripEnd
 {
@@ -67,7 +72,8 @@ public:
           writeSquare(face, corners[j], choice_.wallAt(corners[j], face));
         }
       }
-      if (!stand(first, normalOf(choice_.basePoints(face)), leastCosine))
+      const Vector3 normal = normalOf(choice_.basePoints(face));
+      if (!stand(first, normal, leastCosine) || drifts(face, corners, normal))
       {
         std::copy_if(
           corners.begin(), corners.end(), std::back_inserter(failed_), [](Index c) { return c != None; });
@@ -319,6 +325,22 @@ private:
           });
         return stands;
       });
+  }
+
+  // Do the grids take the face's corners too far from its plane?
+  bool drifts(const BaseFace& face, const std::array<Index, 3>& corners, const Vector3& normal)
+  {
+    bool result = false;
+    for (int j = 0; j < 3; ++j)
+    {
+      if (corners[j] != None)
+      {
+        const Column& column = set_.columns[set_.corners[corners[j]].column];
+        const Vector3& outermost = pointOf(out_.chains[outerChain(face, j, corners[j])][0]);
+        result = result || std::fabs(dot(outermost - column.base, normal)) > LargestDrift * column.size;
+      }
+    }
+    return result;
   }
 
   const TetMesh& mesh_;

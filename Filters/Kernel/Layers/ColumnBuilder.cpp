@@ -222,7 +222,23 @@ private:
     {
       return StopReason::Complete;
     }
-    return seesAll ? StopReason::Complete : StopReason::Corner;
+    return seesAll ? StopReason::Complete : whyUnseen(s, column.base);
+  }
+
+  // No direction sees all faces. In a wedge the walls are each other's opposite surface, and the gap between them
+  // closes here.
+  StopReason whyUnseen(const Surroundings& s, const Vector3& point) const
+  {
+    constexpr double wedge = 150 / DegreesOfRadian; // between the walls' normals
+    FaceRing ring;
+    bool isWedge = false;
+    const std::size_t edges = makeRing(s.walls, ring) ? ring.edgeCount() : 0;
+    for (std::size_t i = 0; i < edges && !isWedge; ++i)
+    {
+      const Turn turn = ring.turnAfter(point, mesh_, i);
+      isWedge = !turn.isConvex && turn.angle > wedge;
+    }
+    return isWedge ? StopReason::Gap : StopReason::Corner;
   }
 
   // All faces differ so little from the column's direction that no two of them make a ridge: there is neither

@@ -53,6 +53,7 @@ public:
     if (leastVisibility(groups_) < LeastVisibility)
     {
       groups_ = bestHalves();
+      halved_ = true;
     }
     if (groups_.size() < 2 || leastVisibility(groups_) < LeastVisibility)
     {
@@ -92,24 +93,25 @@ private:
   }
 
   // Parts the faces in two where both columns see theirs best: for the end of an edge that is too sharp for
-  // one column, in a wall that has no second edge there.
+  // one column, in a wall that has no second edge there. Fans open over borders, so none is concave, and they
+  // run across the way from one column to the other.
   std::vector<Group> bestHalves()
   {
     std::vector<Group> best;
-    double most = 0;
-    const std::size_t edges = ring_.edgeCount();
+    double highest = 0;
     const FaceRing ring = ring_;
     FaceRing bestRing = ring_;
-    for (std::size_t i = 0; i < edges; ++i)
+    const std::vector<std::size_t> borders = possibleBorders();
+    for (std::size_t i = 0; i < borders.size(); ++i)
     {
-      for (std::size_t j = ring.closed ? i + 1 : i; j < (ring.closed ? edges : i + 1); ++j)
+      for (std::size_t j = ring.closed ? i + 1 : i; j < (ring.closed ? borders.size() : i + 1); ++j)
       {
         ring_ = ring;
         std::vector<Group> halves =
-          aimed(splitRing(ring_, [i, j](std::size_t edge) { return edge == i || edge == j; }));
-        if (const double least = leastVisibility(halves); halves.size() == 2 && least > most)
+          aimed(splitRing(ring_, [&](std::size_t edge) { return edge == borders[i] || edge == borders[j]; }));
+        if (halves.size() == 2 && scoreOf(halves) > highest)
         {
-          most = least;
+          highest = scoreOf(halves);
           best = std::move(halves);
           bestRing = ring_;
         }
@@ -117,6 +119,30 @@ private:
     }
     ring_ = bestRing;
     return best;
+  }
+
+  std::vector<std::size_t> possibleBorders() const
+  {
+    std::vector<std::size_t> borders;
+    for (std::size_t i = 0; i < ring_.edgeCount(); ++i)
+    {
+      const Turn turn = ring_.turnAfter(point_, mesh_, i);
+      if (turn.isConvex || turn.angle < angles_.normalAngle)
+      {
+        borders.push_back(i);
+      }
+    }
+    return borders;
+  }
+
+  // How well two halves see their faces; of those that see alike, which have borders across.
+  double scoreOf(const std::vector<Group>& halves) const
+  {
+    constexpr double weight = 0.05;
+    const Vector3 way = normalized(halves[1].direction - halves[0].direction);
+    const double along = std::fabs(dot(way, edgeAfter(halves[0]))) +
+      (ring_.closed ? std::fabs(dot(way, edgeAfter(halves[1]))) : 0);
+    return leastVisibility(halves) - weight * along;
   }
 
   std::vector<Group> aimed(const std::vector<FaceGroup>& parts) const
@@ -165,6 +191,25 @@ private:
     return directions;
   }
 
+  // Where a sharp edge ends in a wall, the way straight from one column to the other would lead along the edge.
+  bool bordersFold(const Group& first, const Group& last) const
+  {
+    constexpr double least = 0.5; // of two edges that enclose 150 degrees
+    const Vector3 edges = edgeAfter(first) + edgeAfter(last);
+    const Vector3 straight = first.direction + last.direction;
+    return norm(edges) > least && dot(edges, straight) > 0;
+  }
+
+  // Directions from a over the middle to b, the ends left out.
+  std::vector<Vector3> through(const Vector3& a, const Vector3& middle, const Vector3& b) const
+  {
+    std::vector<Vector3> directions = between(a, middle, {});
+    directions.push_back(lay_(middle));
+    const std::vector<Vector3> rest = between(middle, b, {});
+    directions.insert(directions.end(), rest.begin(), rest.end());
+    return directions;
+  }
+
   // Two groups: their columns and those between make one row, walked there and back.
   bool planRow(Fan& fan, Vector3& main) const
   {
@@ -173,7 +218,9 @@ private:
     Vector3 axis = -1.0 * edgeAfter(first);
     axis = ring_.closed ? axis + edgeAfter(last) : axis;
     fan.directions = { stepOf(first) };
-    const std::vector<Vector3> inner = between(first.direction, last.direction, axis);
+    const std::vector<Vector3> inner = halved_ && ring_.closed && bordersFold(first, last)
+      ? through(first.direction, normalized(edgeAfter(first) + edgeAfter(last)), last.direction)
+      : between(first.direction, last.direction, axis);
     fan.directions.insert(fan.directions.end(), inner.begin(), inner.end());
     main = stepOf(last);
     const int mainNumber = static_cast<int>(fan.directions.size());
@@ -232,6 +279,7 @@ private:
   const SideProjection& lay_;
   const FanAngles& angles_;
   std::vector<Group> groups_;
+  bool halved_ = false; // not all borders of the groups are sharp edges
 };
 } // namespace
 

@@ -12,8 +12,7 @@ namespace
 {
 constexpr double Degree = std::numbers::pi / 180;
 constexpr double LeastTurn = leastTensorTurn * Degree;
-// Beyond this turn the grid is too skew.
-constexpr double LargestTurn = 140 * Degree;
+constexpr double LargestTurn = largestTensorTurn * Degree;
 // Faces of one wall differ at most so much from its mean normal: more would change its shape.
 constexpr double WallCosine = 0.985; // 10 degrees
 // The walls' normals enclose at least so much volume.

@@ -14,8 +14,11 @@
 
 namespace ransmesh
 {
-// Walls that turn less than this into each other (degrees) are one: there is no corner.
-inline constexpr double leastTensorTurn = 30;
+// Walls that turn so much into each other (degrees) have a grid: the fluid's angle is 120 to 40. The columns of
+// a grid are parallel to its other wall; in wider corners they would lean by more than 30 degrees, and more than
+// the single column that halves the angle.
+inline constexpr double leastTensorTurn = 59.5;
+inline constexpr double largestTensorTurn = 140;
 
 struct TensorCorner
 {

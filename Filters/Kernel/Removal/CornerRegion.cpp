@@ -1,7 +1,9 @@
 #include "Removal/CornerRegion.h"
 
 #include "Boundary/BoundaryStars.h"
+#include "Geometry/Angles.h"
 #include "Geometry/Distance.h"
+#include "Layers/TensorCorner.h"
 #include "Mesh/Marks.h"
 #include "Removal/LayerRegion.h"
 
@@ -15,8 +17,6 @@ namespace ransmesh
 {
 namespace
 {
-constexpr double LeastSine = 0.5; // of 30 and 150 degrees: sharper and flatter corners have no grid
-
 // An edge between two walls, as the triangle on one of its sides has it.
 struct RidgeSide
 {
@@ -116,9 +116,9 @@ private:
   {
     const Triangle on = triangle(here.face);
     const Triangle other = triangle(there.face);
-    const double sine = norm(cross(on.normal, other.normal));
+    const double turn = degreesBetween(on.normal, other.normal);
     const bool concave = dot(other.normal, on.middle - mesh_.point(here.low)) > 0;
-    if (!concave || sine < LeastSine)
+    if (!concave || turn < leastTensorTurn || turn > largestTensorTurn)
     {
       return;
     }
@@ -128,7 +128,7 @@ private:
     if (thickness > 0)
     {
       const double beyond = margin_ * std::min(1.0, thickness * thickness / (size * size)) * size;
-      reach_ = (thickness + beyond) / sine;
+      reach_ = (thickness + beyond) / std::sin(turn / DegreesOfRadian);
       followRidge(here);
       flood(here, stars);
     }

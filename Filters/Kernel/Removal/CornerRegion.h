@@ -16,7 +16,7 @@ struct CornerPoint
   Vector3 normal; // of the wall there, into the fluid; zero on a ridge
 };
 
-// Walls with layers that meet at a concave ridge (fluid angle of 30 to 150 degrees) need room for a grid of
+// Walls with layers that meet at a concave ridge (Layers/TensorCorner.h) need room for a grid of
 // both walls' levels: on either wall, no point but the ridge's may lie lower above the other wall than its
 // layers are thick, plus margin * size of the triangles there; layers that are thinner than the size need
 // less, by the square of their share of it. Finds those that do: points on the walls'

@@ -10,9 +10,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 #include <string>
 
 namespace ransmesh
@@ -46,14 +44,17 @@ constexpr int PassCount = static_cast<int>(std::size(Passes));
 class Removal
 {
 public:
-  Removal(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine, const Context& context)
+  Removal(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, const RemovalOptions& options,
+    const Context& context)
     : mesh_(mesh)
     , rules_(rules)
     , region_(region)
     , context_(context)
-    , remover_(mesh, rules, region, cosine)
+    , surfaces_(mesh)
+    , ridges_(mesh)
+    , remover_(mesh, rules, region, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_, ridges_)
     , improvement_(mesh, rules)
-    , valence_(mesh, rules, cosine)
+    , valence_(mesh, rules, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_)
     , traversal_(mesh)
   {
   }
@@ -303,6 +304,8 @@ private:
   BoundaryRules& rules_;
   LayerRegion& region_;
   const Context& context_;
+  SurfaceMemory surfaces_;
+  SurfaceMemory ridges_;
   VertexRemover remover_;
   LocalImprovement improvement_;
   ValenceReduction valence_;
@@ -368,8 +371,7 @@ RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const Layer
   {
     return result;
   }
-  const double cosine = std::cos(options.maximumSurfaceAngle * std::numbers::pi / 180);
-  Removal(mesh, rules, region, cosine, context).run(result);
+  Removal(mesh, rules, region, options, context).run(result);
   return result;
 }
 } // namespace ransmesh

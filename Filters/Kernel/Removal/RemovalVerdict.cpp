@@ -18,6 +18,8 @@ const char* nameOf(RemovalVerdict verdict)
       return "element too large";
     case RemovalVerdict::SurfaceTurned:
       return "surface turned";
+    case RemovalVerdict::SurfaceMoved:
+      return "surface moved";
     case RemovalVerdict::PoorTriangle:
       return "wall triangle too poor";
     case RemovalVerdict::RidgeLost:

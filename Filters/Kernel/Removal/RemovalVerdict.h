@@ -14,6 +14,7 @@ enum class RemovalVerdict
   LowQuality,        // a new tetrahedron would be worse than the limit, from every apex
   OverLarge,         // a new edge would be much longer than the elements that went
   SurfaceTurned,     // a boundary face would turn by more than the surface angle, or fold over
+  SurfaceMoved,      // the surface would come too far from points that it has lost, now or before
   PoorTriangle,      // a wall's triangle would have too large an angle
   RidgeLost,         // an edge of a ridge or between patches would vanish
   VertexLost,        // a point that is to stay would vanish

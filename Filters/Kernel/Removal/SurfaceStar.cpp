@@ -3,6 +3,7 @@
 #include "Geometry/Angles.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace ransmesh
@@ -71,6 +72,7 @@ bool SurfaceStar::meetsSurfaceAgain(std::span<const Index> faces, Index apex)
 // The edges between two of the faces vanish, the others are the rim.
 RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
 {
+  inner_.clear();
   newEnds_.clear();
   newBases_.clear();
   rimAtApex_.clear();
@@ -82,10 +84,11 @@ RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
     if (shared)
     {
       const bool goesWithItsVertex = edge.low == vanishing || edge.high == vanishing;
-      if (ridges_.has(edge.low, edge.high) && !goesWithItsVertex)
+      if (rules_.classification.ridges.has(edge.low, edge.high) && !goesWithItsVertex)
       {
         return RemovalVerdict::RidgeLost;
       }
+      inner_.push_back(edge.way);
       ++i;
     }
     else if (edge.low == apex || edge.high == apex)
@@ -106,6 +109,40 @@ RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
   return RemovalVerdict::Collapsed;
 }
 
+// Whether the points that are lost with the faces, and those lost before, are near enough to the new ones. An
+// edge that goes although both its ends stay is lost with its middle.
+bool SurfaceStar::staysInPlace(std::span<const Index> faces, Index apex)
+{
+  old_.clear();
+  new_.clear();
+  lost_.clear();
+  std::transform(faces.begin(), faces.end(), std::back_inserter(old_),
+    [this](Index b) { return mesh_.boundaryVertices(b); });
+  std::transform(newBases_.begin(), newBases_.end(), std::back_inserter(new_),
+    [apex](const auto& base) {
+      return SurfaceMemory::Piece{ base[0], base[1], apex };
+    });
+  const auto stays = [&](Index v)
+  { return v == apex || std::find(newEnds_.begin(), newEnds_.end(), v) != newEnds_.end(); };
+  double length = 0;
+  for (const auto& [from, to] : inner_)
+  {
+    const Vector3& a = mesh_.point(from);
+    const Vector3& b = mesh_.point(to);
+    length += distance(a, b);
+    const Vector3 lost = stays(from) && stays(to) ? 0.5 * (a + b) : stays(from) ? b : a;
+    if (std::find(lost_.begin(), lost_.end(), lost) == lost_.end())
+    {
+      lost_.push_back(lost);
+    }
+  }
+  const bool ofWall = std::any_of(faces.begin(), faces.end(),
+    [this](Index b) { return rules_.changeable[mesh_.boundaryFace(b).patch] == 0; });
+  const double drift = ofWall ? largestWallDrift : largestSideDrift;
+  const auto count = static_cast<double>(std::max<std::size_t>(1, inner_.size()));
+  return memory_.allows(old_, new_, lost_, drift * length / count, apex);
+}
+
 RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Index vanishing)
 {
   collectEdges(faces);
@@ -113,6 +150,10 @@ RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Inde
   if (verdict != RemovalVerdict::Collapsed)
   {
     return verdict;
+  }
+  if (!staysInPlace(faces, apex))
+  {
+    return RemovalVerdict::SurfaceMoved;
   }
   std::erase_if(newEnds_,
     [this](Index v) { return std::find(rimAtApex_.begin(), rimAtApex_.end(), v) != rimAtApex_.end(); });

@@ -1,9 +1,10 @@
 // What starring boundary faces again does to the surface.
 #pragma once
 
-#include "Boundary/Classification.h"
+#include "Boundary/BoundaryRules.h"
 #include "Mesh/Traversal.h"
 #include "Removal/RemovalVerdict.h"
+#include "Removal/SurfaceMemory.h"
 
 #include <array>
 #include <span>
@@ -14,11 +15,12 @@ namespace ransmesh
 class SurfaceStar
 {
 public:
-  // cosine: of the largest angle by which a boundary face may turn.
-  SurfaceStar(const TetMesh& mesh, const Ridges& ridges, double cosine)
+  // cosine: of the largest angle by which a boundary face may turn. memory: of this surface.
+  SurfaceStar(const TetMesh& mesh, const BoundaryRules& rules, double cosine, SurfaceMemory& memory)
     : mesh_(mesh)
-    , ridges_(ridges)
+    , rules_(rules)
     , cosine_(cosine)
+    , memory_(memory)
     , traversal_(mesh)
   {
   }
@@ -35,6 +37,9 @@ public:
   RemovalVerdict judgeShape(
     std::span<const Index> faces, Index apex, const Vector3& normal, double angle) const;
 
+  // The faces that were judged last have been replaced.
+  void remember() { memory_.remember(); }
+
 private:
   struct EdgeUse
   {
@@ -48,15 +53,21 @@ private:
   bool turnsTooFar(const EdgeUse& rim, Index apex) const;
   RemovalVerdict judgeEdges(Index apex, Index vanishing);
   bool meetsSurfaceAgain(std::span<const Index> faces, Index apex);
+  bool staysInPlace(std::span<const Index> faces, Index apex);
 
   const TetMesh& mesh_;
-  const Ridges& ridges_;
+  const BoundaryRules& rules_;
   double cosine_;
+  SurfaceMemory& memory_;
   Traversal traversal_;
   std::vector<EdgeUse> edges_;
+  std::vector<std::array<Index, 2>> inner_;    // edges that go
   std::vector<std::array<Index, 2>> newBases_; // edges of the rim that get a triangle
   std::vector<Index> newEnds_;                 // vertices that new edges join to the apex
   std::vector<Index> rimAtApex_;               // vertices that edges of the rim join to it already
   std::vector<Index> ball_;
+  std::vector<SurfaceMemory::Piece> old_;
+  std::vector<SurfaceMemory::Piece> new_;
+  std::vector<Vector3> lost_;
 };
 } // namespace ransmesh

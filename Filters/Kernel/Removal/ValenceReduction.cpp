@@ -175,9 +175,13 @@ bool ValenceReduction::apply(const Cut& cut)
   {
     return false;
   }
-  if (!cavity.starredFaces.empty() && judgeSurface(cut) != RemovalVerdict::Collapsed)
+  if (!cavity.starredFaces.empty())
   {
-    return false;
+    if (judgeSurface(cut) != RemovalVerdict::Collapsed)
+    {
+      return false;
+    }
+    surface_.remember();
   }
   seen_.clear(mesh_.vertexCount());
   for (const Index t : ring_)

@@ -16,13 +16,13 @@ namespace ransmesh
 class ValenceReduction
 {
 public:
-  ValenceReduction(TetMesh& mesh, const BoundaryRules& rules, double cosine)
+  ValenceReduction(TetMesh& mesh, const BoundaryRules& rules, double cosine, SurfaceMemory& surfaces)
     : mesh_(mesh)
     , rules_(rules)
     , star_(mesh)
     , traversal_(mesh)
     , cavity_(mesh)
-    , surface_(mesh, rules.classification.ridges, cosine)
+    , surface_(mesh, rules, cosine, surfaces)
   {
   }
 

@@ -16,22 +16,31 @@ constexpr double farAsRegion = 2.5;
 constexpr double farAsBefore = 2;
 } // namespace
 
-VertexRemover::VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine)
+VertexRemover::VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine,
+  SurfaceMemory& surfaces, SurfaceMemory& ridges)
   : mesh_(mesh)
   , rules_(rules)
   , region_(region)
   , cosine_(cosine)
   , star_(mesh)
   , link_(mesh)
-  , surface_(mesh, rules.classification.ridges, cosine)
+  , surface_(mesh, rules, cosine, surfaces)
+  , ridgeMemory_(ridges)
 {
 }
 
 RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
 {
-  if (rules_.classification.kind[v] == VertexKind::Ridge && ridgeTurns(v))
+  if (rules_.classification.kind[v] == VertexKind::Ridge)
   {
-    return RemovalVerdict::SurfaceTurned;
+    if (ridgeTurns(v))
+    {
+      return RemovalVerdict::SurfaceTurned;
+    }
+    if (!ridgeStaysInPlace(v))
+    {
+      return RemovalVerdict::SurfaceMoved;
+    }
   }
   look(v);
   const double floor = floorFor(limits);
@@ -114,6 +123,21 @@ bool VertexRemover::ridgeTurns(Index v) const
   return !(dot(in, out) >= cosine_);
 }
 
+// Whether the points that the ridge loses, with v and before, are near enough to the edge that closes it.
+bool VertexRemover::ridgeStaysInPlace(Index v)
+{
+  const auto ends = rules_.classification.ridges.at(v);
+  const Vector3& p = mesh_.point(v);
+  const double mean = 0.5 * (distance(p, mesh_.point(ends[0])) + distance(p, mesh_.point(ends[1])));
+  const SurfaceMemory::Piece old[] = { { ends[0], v, v }, { v, ends[1], ends[1] } };
+  const SurfaceMemory::Piece edge{ ends[0], ends[1], ends[1] };
+  const auto patches = rules_.classification.patchesAt(v);
+  const bool ofWall =
+    std::any_of(patches.begin(), patches.end(), [this](int patch) { return rules_.changeable[patch] == 0; });
+  const double drift = ofWall ? largestWallDrift : largestSideDrift;
+  return ridgeMemory_.allows(old, { &edge, 1 }, { &p, 1 }, drift * mean, ends[0]);
+}
+
 double VertexRemover::floorFor(const RemovalLimits& limits) const
 {
   return limits.keep > 0 ? std::min(limits.quality, limits.keep * link_.worst()) : limits.quality;
@@ -171,7 +195,8 @@ RemovalVerdict VertexRemover::tryEnd(Index v, const Candidate& candidate, const 
 // Collapsed if the surface allows it.
 RemovalVerdict VertexRemover::judgeSurface(Index v, Index apex, double wallAngle)
 {
-  if (cavity_.starredFaces.empty())
+  changesSurface_ = !cavity_.starredFaces.empty();
+  if (!changesSurface_)
   {
     return RemovalVerdict::Collapsed;
   }
@@ -303,10 +328,14 @@ bool VertexRemover::cavityIsOverLarge(Index v, Index apex) const
   return longest > farAsBefore * longestBefore;
 }
 
-// Takes away v's mark, and joins the ridge that it leaves.
+// Takes away v's mark, remembers it where it lay on a surface, and joins the ridge that it leaves.
 void VertexRemover::forget(Index v, Index apex)
 {
   region_.isMarked[v] = 0;
+  if (changesSurface_)
+  {
+    surface_.remember();
+  }
   if (rules_.classification.kind[v] != VertexKind::Ridge)
   {
     return;
@@ -314,6 +343,7 @@ void VertexRemover::forget(Index v, Index apex)
   Ridges& ridges = rules_.classification.ridges;
   const auto ends = ridges.at(v);
   const Index other = ends[0] == apex ? ends[1] : ends[0];
+  ridgeMemory_.remember();
   ridges.remove(v, apex);
   ridges.remove(v, other);
   ridges.add(apex, other);

@@ -19,7 +19,8 @@ class VertexRemover
 public:
   // cosine: of the largest angle by which a boundary face or a ridge may turn. Marks of region are
   // taken away as points go.
-  VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine);
+  VertexRemover(TetMesh& mesh, BoundaryRules& rules, LayerRegion& region, double cosine,
+    SurfaceMemory& surfaces, SurfaceMemory& ridges);
 
   // Tries to remove the marked vertex v, to the neighbour that leaves the best quality. The mesh is
   // valid before and after.
@@ -45,6 +46,7 @@ private:
   void look(Index v);
   void collectSurfaceEnds(Index v);
   bool ridgeTurns(Index v) const;
+  bool ridgeStaysInPlace(Index v);
   double floorFor(const RemovalLimits& limits) const;
   void rank(Index v, double floor, std::size_t growth);
   void keepPromisingEnds(double floor, std::size_t enough);
@@ -64,7 +66,9 @@ private:
   Star star_;
   VertexLink link_;
   SurfaceStar surface_;
+  SurfaceMemory& ridgeMemory_;
   Cavity cavity_;
+  bool changesSurface_ = false; // the cavity judged last
   std::vector<Index> surfaceEnds_;
   std::vector<int> ends_; // those to which v may go, by local number
   std::vector<Candidate> candidates_;

@@ -99,6 +99,16 @@ TEST(ColumnBuilder, AConcaveEdgeHasOneColumnAlongTheBisector)
   EXPECT_EQ(edge->levels, 5);
 }
 
+TEST(ColumnBuilder, WhereAWedgeClosesItsGapStopsTheColumn)
+{
+  const auto skew = [](const Vector3& p) { return Vector3{ p.x + 8 * p.z, p.y, p.z }; }; // 7 degrees
+  const Columns columns(make({ 4, 4, 4, skew }), patches(PatchType::Symmetry), { ZLow, XLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->levels, 0);
+  EXPECT_EQ(edge->reason, StopReason::Gap);
+}
+
 TEST(ColumnBuilder, AnAcuteSideLeavesNoColumn)
 {
   // The side x = 0 leans inward so far that fluid fills a wedge of ten degrees.

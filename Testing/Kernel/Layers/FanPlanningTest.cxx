@@ -221,6 +221,13 @@ TEST(FanPlanning, AnEdgeThatEndsInAWallPartsItsFaces)
   EXPECT_FALSE(planned.fan.aroundMain);
   EXPECT_GT(planned.fan.directions[0].y * planned.main.y, -10);
   EXPECT_LT(planned.fan.directions[0].y * planned.main.y, 0);
+  // Those between lead around the free edge, none along it.
+  ASSERT_EQ(planned.fan.directions.size(), 6u);
+  for (const Vector3& d : planned.fan.directions)
+  {
+    EXPECT_GT(degreesBetween(d, { 0, 0, 1 }), 30);
+  }
+  EXPECT_LT(degreesBetween(planned.fan.directions[3], { -1, 0, 1 }), 1e-3);
 }
 
 namespace
@@ -267,7 +274,7 @@ TEST(TensorCorner, ThreeWallsEachRiseInBothOthers)
 
 TEST(TensorCorner, FlatConvexAndAcutePlacesAreNone)
 {
-  for (const Wall& wall : { trough(170), trough(20), trough(230), cubeCorner(), cone(20) })
+  for (const Wall& wall : { trough(170), trough(125), trough(20), trough(230), cubeCorner(), cone(20) })
   {
     FaceRing ring = wall.ring();
     TensorCorner corner;
