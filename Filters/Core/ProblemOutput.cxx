@@ -17,6 +17,26 @@ namespace ransmesh
 {
 namespace
 {
+// Where a point is shown: one that is no number, at the middle of the triangle's other corners.
+Vector3 shownPlace(const SurfaceMesh& surface, Index triangle, Index v)
+{
+  if (isUsable(surface.points[v]))
+  {
+    return surface.points[v];
+  }
+  Vector3 sum;
+  int usable = 0;
+  for (const Index corner : surface.triangles[triangle])
+  {
+    if (isUsable(surface.points[corner]))
+    {
+      sum = sum + surface.points[corner];
+      ++usable;
+    }
+  }
+  return usable > 0 ? (1.0 / usable) * sum : Vector3();
+}
+
 vtkNew<vtkIntArray> namedArray(const char* name)
 {
   vtkNew<vtkIntArray> array;
@@ -51,13 +71,15 @@ void writeProblems(
       const auto [place, isNew] = pointOf.emplace(v, points->GetNumberOfPoints());
       if (isNew)
       {
-        points->InsertNextPoint(surface.points[v].x, surface.points[v].y, surface.points[v].z);
+        const Vector3 p = shownPlace(surface, finding.triangle, v);
+        points->InsertNextPoint(p.x, p.y, p.z);
       }
       corners[k] = place->second;
     }
     cells->InsertNextCell(3, corners);
     reasons->InsertNextValue(static_cast<int>(finding.fault));
-    partners->InsertNextValue(finding.partner == None ? -1 : cellOf.at(finding.partner));
+    const auto partner = cellOf.find(finding.partner);
+    partners->InsertNextValue(partner == cellOf.end() ? -1 : partner->second);
     patches->InsertNextValue(surface.patch[finding.triangle]);
   }
   output->SetPoints(points);

@@ -218,7 +218,8 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
       continue;
     }
     end = attempt.run(variant, steady, result);
-    if (end.outcome.ok() || end.outcome.kind == Outcome::Kind::Cancelled || !result.problems.empty())
+    const bool isFinal = end.exhausted || end.outcome.kind == Outcome::Kind::Cancelled;
+    if (end.outcome.ok() || isFinal || !result.problems.empty())
     {
       break;
     }

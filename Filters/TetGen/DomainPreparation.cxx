@@ -5,6 +5,7 @@
 #include "Boundary/FeatureSplit.h"
 #include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceRemeshing.h"
+#include "Surface/Preparation.h"
 
 #include <sstream>
 
@@ -62,9 +63,14 @@ Outcome cutSurface(Planes& planes, SurfaceInput& input)
   return outcome.ok() ? cutByPlanes(input.surface, planes) : outcome;
 }
 
-Outcome checkSurface(const Planes& planes, SurfaceInput& input, MesherReport& report)
+Outcome checkSurface(
+  const MesherSettings& settings, const Planes& planes, SurfaceInput& input, MesherReport& report)
 {
-  const SurfaceVerdict verdict = mendAndCheck(input.surface, input.patches, axisPlanes(planes));
+  Context context;
+  context.log = [&report](const std::string& text) { report.remark("Near each other: " + text + "."); };
+  PreparationOptions options = settings.preparation;
+  options.closedBy = axisPlanes(planes);
+  const SurfaceVerdict verdict = prepareSurface(input.surface, input.patches, options, context);
   return accept(verdict, input.surface, report);
 }
 
@@ -92,7 +98,7 @@ Outcome remesh(
     return outcome;
   }
   snapToPlanes(input.surface, planes);
-  outcome = checkSurface(planes, input, report);
+  outcome = checkSurface(settings, planes, input, report);
   if (!outcome.ok())
   {
     std::ostringstream text;
@@ -160,7 +166,7 @@ Outcome prepareDomain(
   {
     return outcome;
   }
-  if (Outcome outcome = checkSurface(planes, input, report); !outcome.ok())
+  if (Outcome outcome = checkSurface(settings, planes, input, report); !outcome.ok())
   {
     return outcome;
   }

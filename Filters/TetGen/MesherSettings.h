@@ -3,6 +3,8 @@
 
 #include "DomainMeshing.h"
 
+#include "Surface/Preparation.h"
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +14,7 @@ namespace ransmesh
 {
 struct MesherSettings
 {
+  PreparationOptions preparation; // check and repair of the surface
   bool patchFromFeatureAngle = false;
   double featureAngle = 30;     // degrees
   double surfaceEdgeLength = 0; // 0: the surface triangles are kept

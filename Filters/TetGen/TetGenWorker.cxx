@@ -62,8 +62,6 @@ const char* meaningOf(int tetgenCode)
 {
   switch (tetgenCode)
   {
-    case 1:
-      return "it ran out of memory";
     case 2:
       return "an internal error of TetGen";
     case 3:
@@ -79,17 +77,26 @@ const char* meaningOf(int tetgenCode)
   }
 }
 
-std::string describe(const ProgramEnd& end, double timeLimit)
+bool ranOutOfMemory(const ProgramEnd& end)
+{
+  constexpr int tetGensCode = 1;
+  return end.status == worker::ExitMemory || end.status == worker::ExitTetGen + tetGensCode;
+}
+
+std::string describe(const ProgramEnd& end, const WorkerLimits& limits)
 {
   std::string text;
   if (end.kind == ProgramEnd::Kind::TimedOut)
   {
-    text = "TetGen was stopped at the time limit of " + std::to_string(static_cast<long>(timeLimit)) +
+    text = "TetGen was stopped at the time limit of " + std::to_string(static_cast<long>(limits.seconds)) +
       " s (WorkerTimeLimit)";
   }
-  else if (end.status == worker::ExitMemory)
+  else if (ranOutOfMemory(end))
   {
-    text = "the TetGen worker ran out of memory: ask for fewer elements";
+    text = limits.megabytes > 0
+      ? "TetGen needs more memory than the limit of " + std::to_string(static_cast<long>(limits.megabytes)) +
+        " MB (WorkerMemoryLimit): raise it, or ask for fewer elements"
+      : "the TetGen worker ran out of memory: ask for fewer elements";
   }
   else if (end.status == worker::ExitEndless)
   {
@@ -126,14 +133,17 @@ TetGenEnd TetGenWorker::run(worker::Request& request, const Context& context, wo
     context.report(progress.fraction, progress.phase);
     return context.stopped();
   };
-  const ProgramEnd end = runProgram({ program_, requestFile, resultFile }, timeLimit_, mustStop, onLine);
+  const ProgramEnd end = runProgram(
+    { program_, requestFile, resultFile, std::to_string(static_cast<long long>(limits_.megabytes)) },
+    limits_.seconds, mustStop, onLine);
   if (end.kind == ProgramEnd::Kind::Cancelled)
   {
     return { Outcome::cancelled() };
   }
   if (end.kind != ProgramEnd::Kind::Done)
   {
-    return { Outcome::badInput(describe(end, timeLimit_)), end.status == worker::ExitEndless };
+    return { Outcome::badInput(describe(end, limits_)), end.status == worker::ExitEndless,
+      ranOutOfMemory(end) };
   }
   if (!worker::load(result, resultFile))
   {

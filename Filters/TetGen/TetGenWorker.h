@@ -13,16 +13,24 @@ namespace ransmesh
 struct TetGenEnd
 {
   Outcome outcome = {};
-  bool endless = false; // it failed because refining did not end: the surface has badly shaped triangles
+  bool endless = false;   // it failed because refining did not end: the surface has badly shaped triangles
+  bool exhausted = false; // it failed for want of memory: no other switches help
+};
+
+// What one run may take; 0: no limit.
+struct WorkerLimits
+{
+  double seconds = 0;
+  double megabytes = 0; // of 1e6 bytes
 };
 
 class TetGenWorker
 {
 public:
-  // program: the worker's path. timeLimit of one run, in seconds; 0: none.
-  TetGenWorker(std::string program, double timeLimit)
+  // program: the worker's path.
+  TetGenWorker(std::string program, const WorkerLimits& limits)
     : program_(std::move(program))
-    , timeLimit_(timeLimit)
+    , limits_(limits)
   {
   }
 
@@ -32,6 +40,6 @@ public:
 
 private:
   std::string program_;
-  double timeLimit_;
+  WorkerLimits limits_;
 };
 } // namespace ransmesh

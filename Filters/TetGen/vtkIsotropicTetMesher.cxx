@@ -86,6 +86,10 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "SurfaceEdgeLength: " << this->SurfaceEdgeLength << "\n";
+  os << indent << "Repair: " << this->Repair << "\n";
+  os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
+  os << indent << "ShortestEdge: " << this->ShortestEdge << "\n";
+  os << indent << "LargestHole: " << this->LargestHole << "\n";
   os << indent << "ImproveSurfaceTriangles: " << this->ImproveSurfaceTriangles << "\n";
   os << indent << "MaximumSurfaceAngle: " << this->MaximumSurfaceAngle << "\n";
   os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
@@ -112,6 +116,7 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Patch types set: " << this->Lists->TypeOfPattern.size() << "\n";
   os << indent << "WorkerExecutable: " << (this->WorkerExecutable ? this->WorkerExecutable : "") << "\n";
   os << indent << "WorkerTimeLimit: " << this->WorkerTimeLimit << "\n";
+  os << indent << "WorkerMemoryLimit: " << this->WorkerMemoryLimit << "\n";
 }
 
 //------------------------------------------------------------------------------
@@ -246,7 +251,11 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
     within("SymmetryPosition", this->SymmetryPosition, -1e50, 1e50) &&
     within("WaterlinePosition", this->WaterlinePosition, -1e50, 1e50) &&
     within("GroundPosition", this->GroundPosition, -1e50, 1e50) &&
-    within("WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9);
+    within("WeldTolerance", this->WeldTolerance, -1, 1e50) &&
+    within("ShortestEdge", this->ShortestEdge, -1, 1e50) &&
+    within("LargestHole", this->LargestHole, 0, 1e50) &&
+    within("WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9) &&
+    within("WorkerMemoryLimit", this->WorkerMemoryLimit, 0, 1e9);
   for (int i = 0; valid && this->FarField && i < 6; ++i)
   {
     valid = within("FarFieldMargins", this->FarFieldMargins[i], 1e-3, 1e4);
@@ -281,6 +290,8 @@ std::string vtkIsotropicTetMesher::FindWorker()
 ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
 {
   ransmesh::MesherSettings settings;
+  settings.preparation.repair = this->Repair;
+  settings.preparation.repairs = { this->WeldTolerance, this->ShortestEdge, this->LargestHole };
   settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
   settings.featureAngle = this->FeatureAngle;
   settings.surfaceEdgeLength = this->SurfaceEdgeLength;
@@ -364,7 +375,7 @@ int vtkIsotropicTetMesher::RequestData(
   {
     return this->Refuse(outcome, report, problems);
   }
-  const ransmesh::TetGenWorker worker(program, this->WorkerTimeLimit);
+  const ransmesh::TetGenWorker worker(program, { this->WorkerTimeLimit, this->WorkerMemoryLimit });
   ransmesh::DomainMesh made;
   outcome = ransmesh::refineAndMesh(settings, domain, worker, ransmesh::makeContext(this), made, report);
   if (!outcome.ok())

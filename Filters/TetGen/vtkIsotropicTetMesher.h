@@ -77,6 +77,45 @@ public:
 
   ///@{
   /**
+   * Whether faults of the surface are mended where that does not change its shape, by the three lengths below:
+   * nearly coincident borders, triangles without area or given twice, edges too short to be meant, triangles
+   * that run against their neighbours. Each repair is reported by a warning. Off: points of equal coordinates become
+   * one, and nothing else is changed. Default on. See vtkSurfaceRepair, which does the same and shows it.
+   */
+  vtkSetMacro(Repair, bool);
+  vtkGetMacro(Repair, bool);
+  vtkBooleanMacro(Repair, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Points of open edges that lie within this distance of each other, in the unit of the surface, become one. 0:
+   * none. Default -1: a millionth of the largest extent.
+   */
+  vtkSetMacro(WeldTolerance, double);
+  vtkGetMacro(WeldTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Surface edges shorter than this, in the unit of the surface, are collapsed. 0: none. Default -1: 1e-9 of the
+   * largest extent.
+   */
+  vtkSetMacro(ShortestEdge, double);
+  vtkGetMacro(ShortestEdge, double);
+  ///@}
+
+  ///@{
+  /**
+   * Holes whose border has at most this extent along each axis, in the unit of the surface, are filled; those of
+   * more than 12 edges become patches of their own, hole_1 and so on. Default 0: none.
+   */
+  vtkSetMacro(LargestHole, double);
+  vtkGetMacro(LargestHole, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether very obtuse surface triangles are improved: tetrahedra are no better than the triangles that they
    * stand on. The diagonal of two triangles of a patch is swapped where that lowers the largest of their
    * angles and this is above 150 degrees; what is above 177 degrees then gets a point on its longest side.
@@ -269,6 +308,15 @@ public:
   vtkGetMacro(WorkerTimeLimit, double);
   ///@}
 
+  ///@{
+  /**
+   * Megabytes of memory (of 1e6 bytes) that a run of TetGen may take; what needs more counts as failed. A million
+   * tetrahedra take about 500. Default 0: no limit.
+   */
+  vtkSetMacro(WorkerMemoryLimit, double);
+  vtkGetMacro(WorkerMemoryLimit, double);
+  ///@}
+
 protected:
   vtkIsotropicTetMesher();
   ~vtkIsotropicTetMesher() override;
@@ -280,6 +328,10 @@ protected:
 
   double MaximumEdgeLength = 0;
   double SurfaceEdgeLength = 0;
+  bool Repair = true;
+  double WeldTolerance = -1;
+  double ShortestEdge = -1;
+  double LargestHole = 0;
   bool ImproveSurfaceTriangles = true;
   double MaximumSurfaceAngle = 10;
   double SurfaceGrowthRate = 1.3;
@@ -298,6 +350,7 @@ protected:
   double FeatureAngle = 30;
   char* WorkerExecutable = nullptr;
   double WorkerTimeLimit = 0;
+  double WorkerMemoryLimit = 0;
 
 private:
   vtkIsotropicTetMesher(const vtkIsotropicTetMesher&) = delete;

@@ -4,9 +4,12 @@ import ransmeshing
 FILTERS = ("vtkIsotropicTetMesher", "vtkRANSPointRemoval", "vtkDirectionalEnrichment", "vtkPrismRecombination",
            "vtkMeshQualityReport")
 
-for name in FILTERS:
+SURFACE_FILTERS = ("vtkSurfaceCheck", "vtkSurfaceRepair", "vtkSurfaceWrap")
+
+for name in FILTERS + SURFACE_FILTERS:
     cls = getattr(ransmeshing, name)
-    assert cls().IsA("vtkUnstructuredGridAlgorithm"), name
+    kind = "vtkPolyDataAlgorithm" if name in SURFACE_FILTERS else "vtkUnstructuredGridAlgorithm"
+    assert cls().IsA(kind), name
     assert len(cls.__doc__) > 200, f"{name} has no documentation"
     for attribute in vars(cls):
         if attribute.startswith(("Set", "Add")):

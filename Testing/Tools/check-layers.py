@@ -10,7 +10,7 @@ BELOW = {"Support": set()}
 BELOW["Geometry"] = {"Support"}
 BELOW["Mesh"] = BELOW["Geometry"] | {"Geometry"}
 BELOW["Boundary"] = BELOW["Prisms"] = BELOW["Mesh"] | {"Mesh"}
-BELOW["Layers"] = BELOW["Improvement"] = BELOW["Boundary"] | {"Boundary"}
+BELOW["Layers"] = BELOW["Improvement"] = BELOW["Surface"] = BELOW["Boundary"] | {"Boundary"}
 BELOW["Insertion"] = BELOW["Removal"] = BELOW["Quality"] = BELOW["Layers"] | {"Layers", "Improvement"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

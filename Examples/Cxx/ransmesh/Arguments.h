@@ -51,6 +51,7 @@ struct OptionGroup
 };
 
 const OptionGroup& surfaceOptions(); // files, what is done to the surfaces
+const OptionGroup& repairOptions();  // what is done to faulty surfaces
 const OptionGroup& domainOptions();  // what bounds the domain, sizes within it
 const OptionGroup& layerOptions();
 const OptionGroup& flowOptions();   // what the layers are for

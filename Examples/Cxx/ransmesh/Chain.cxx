@@ -6,6 +6,7 @@
 #include <vtkPolyData.h>
 #include <vtkPrismRecombination.h>
 #include <vtkRANSPointRemoval.h>
+#include <vtkSurfaceWrap.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <chrono>
@@ -16,12 +17,21 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   : options_(options)
 {
   progress_->setQuiet(options.quiet);
-  mesher_->SetInputData(surface);
+  wrap_->SetInputData(surface);
+  if (options.repair.wrapAlpha > 0)
+  {
+    mesher_->SetInputConnection(wrap_->GetOutputPort());
+  }
+  else
+  {
+    mesher_->SetInputData(surface);
+  }
   if (sheets)
   {
     mesher_->AddSheetData(sheets);
   }
   describeSurfaces();
+  describeRepair();
   describeDomain();
   removal_->SetInputConnection(mesher_->GetOutputPort());
   describeLayers(removal_.Get());
@@ -51,6 +61,19 @@ void Chain::describeSurfaces()
     mesher_->SetImproveSurfaceTriangles(options_.swapAngle > 0);
     mesher_->SetMaximumSurfaceAngle(options_.swapAngle);
   }
+}
+
+void Chain::describeRepair()
+{
+  const RepairOptions& repair = options_.repair;
+  wrap_->SetAlpha(repair.wrapAlpha);
+  wrap_->SetOffset(repair.wrapOffset);
+  mesher_->SetRepair(repair.repair);
+  mesher_->SetWeldTolerance(repair.weld);
+  mesher_->SetShortestEdge(repair.shortestEdge);
+  mesher_->SetLargestHole(repair.largestHole);
+  mesher_->SetWorkerTimeLimit(options_.timeLimit);
+  mesher_->SetWorkerMemoryLimit(options_.memoryLimit);
 }
 
 void Chain::describeDomain()
@@ -133,7 +156,7 @@ void Chain::runStage(const std::string& name, vtkAlgorithm* filter)
   {
     throw MeshingError(name + ": " + messages_->errors().front());
   }
-  if (vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells() == 0)
+  if (vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells() == 0)
   {
     throw MeshingError(name + ": stopped on request");
   }
@@ -142,6 +165,10 @@ void Chain::runStage(const std::string& name, vtkAlgorithm* filter)
 
 void Chain::run()
 {
+  if (options_.repair.wrapAlpha > 0)
+  {
+    runStage("wrapping", wrap_);
+  }
   runStage("isotropic mesh", mesher_);
   if (!options_.isotropicOnly)
   {

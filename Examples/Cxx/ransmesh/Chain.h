@@ -19,6 +19,7 @@ class vtkPolyData;
 class vtkPrismRecombination;
 class vtkRANSLayerAlgorithm;
 class vtkRANSPointRemoval;
+class vtkSurfaceWrap;
 class vtkUnstructuredGrid;
 
 namespace commandline
@@ -56,6 +57,7 @@ public:
 
 private:
   void describeSurfaces();
+  void describeRepair();
   void describeDomain();
   void describeFlow(vtkRANSLayerAlgorithm* filter) const;
   template <typename Filter>
@@ -63,6 +65,7 @@ private:
   void runStage(const std::string& name, vtkAlgorithm* filter);
 
   const Options& options_;
+  vtkNew<vtkSurfaceWrap> wrap_;
   vtkNew<vtkIsotropicTetMesher> mesher_;
   vtkNew<vtkRANSPointRemoval> removal_;
   vtkNew<vtkDirectionalEnrichment> enrichment_;

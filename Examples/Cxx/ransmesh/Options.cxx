@@ -8,7 +8,8 @@ namespace
 {
 std::vector<const OptionGroup*> groups()
 {
-  return { &surfaceOptions(), &domainOptions(), &layerOptions(), &flowOptions(), &outputOptions() };
+  return { &surfaceOptions(), &repairOptions(), &domainOptions(), &layerOptions(), &flowOptions(),
+    &outputOptions() };
 }
 
 const Reader& readerOf(const std::string& name)

@@ -24,6 +24,17 @@ struct FlowOptions
   bool isGiven() const { return velocity > 0 || reynoldsNumber > 0; }
 };
 
+// What is done to faulty surfaces; lengths in their unit.
+struct RepairOptions
+{
+  bool repair = true;
+  double weld = -1;         // negative: not given
+  double shortestEdge = -1; // negative: not given
+  double largestHole = 0;   // 0: holes are not filled
+  double wrapAlpha = 0;     // 0: no wrap
+  double wrapOffset = 0;    // 0: not given
+};
+
 struct PlaneOption
 {
   int axis = 0; // 1, 2, 3: across x, y, z; 0: no plane
@@ -48,6 +59,7 @@ struct Options
   bool prisms = false;         // layers of prisms instead of tetrahedra
   std::vector<std::string> walls;
   FlowOptions flow;
+  RepairOptions repair;
   double farField = 0; // body lengths on each side; 0: no far field
   bool sphere = false; // the far field is a sphere
   PlaneOption symmetry;
@@ -61,6 +73,8 @@ struct Options
   double growth = 0;      // 0: not given
   double thickness = 0;   // 0: not given
   int layers = 0;         // 0: not given
+  double timeLimit = 0;   // seconds for each run of TetGen; 0: none
+  double memoryLimit = 0; // MB for each run of TetGen; 0: none
   int threads = 0;        // 0: not given
   bool isotropicOnly = false;
   bool quiet = false;

@@ -3,7 +3,9 @@
 
 #include "Boundary/SurfaceMesh.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace ransmesh
 {
@@ -15,6 +17,13 @@ struct AxisPlane
 
   bool holds(const Vector3& p) const { return p[axis] == place; }
 };
+
+// Whether an edge lies in one of the planes.
+inline bool holdEdge(const std::vector<AxisPlane>& planes, const Vector3& a, const Vector3& b)
+{
+  return std::any_of(
+    planes.begin(), planes.end(), [&](const AxisPlane& plane) { return plane.holds(a) && plane.holds(b); });
+}
 
 // What reaches beyond the plane goes, and with it triangles that lie in the plane; the new border lies exactly in
 // it. Points within tolerance of the plane are put on it; so are those that are near to it for the length of an

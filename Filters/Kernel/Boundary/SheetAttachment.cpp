@@ -18,11 +18,6 @@ namespace ransmesh
 {
 namespace
 {
-std::string placeOf(const Vector3& p)
-{
-  return "(" + textOf(p.x) + ", " + textOf(p.y) + ", " + textOf(p.z) + ")";
-}
-
 // Points, found by their place. Cells are as wide as the tolerance: what is within it of a point lies in its
 // own cell or in one next to it.
 class PointGrid

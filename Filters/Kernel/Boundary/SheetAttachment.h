@@ -11,7 +11,7 @@ namespace ransmesh
 // the surfaces.
 inline constexpr double SheetTolerance = 1e-6;
 
-// Adds the sheets (open surfaces) to a closed surface that mendAndCheck has passed. Points of sheets within
+// Adds the sheets (open surfaces) to a closed surface that prepareSurface (Surface/Preparation.h) has passed. Points of sheets within
 // SheetTolerance of a point of the surface, or of another sheet, become that point; what reaches
 // out of the box, if there is one, is cut off (SheetCutting.h). Collapsed, flat and repeated triangles of sheets are
 // mended as those of surfaces are. BadInput, with findings about the surface as it is then, where a sheet

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Boundary/Patch.h"
-#include "Boundary/PlaneCutting.h"
 #include "Boundary/SurfaceMesh.h"
 #include "Support/Outcome.h"
 
@@ -15,13 +14,28 @@ namespace ransmesh
 {
 enum class SurfaceFault
 {
-  Degenerate,   // a triangle without area
-  OpenEdge,     // an edge of one triangle only: a hole in the surface
-  Intersection, // triangles that cut or touch each other
-  InsideFluid   // a sheet with fluid on both sides
+  NotFinite,        // a corner is no number, or too far away to compute with
+  Degenerate,       // a triangle without area
+  Duplicate,        // a triangle with the points of another
+  OpenEdge,         // an edge of one triangle only: a hole in the surface
+  NonManifoldEdge,  // an edge of more than two triangles
+  NonManifoldPoint, // a point where fans of triangles meet that share no edge there
+  Turned,           // a triangle that runs against its neighbours
+  Intersection,     // triangles that cut or touch each other
+  NearSheets,       // triangles that nearly touch each other
+  InsideFluid       // a sheet with fluid on both sides
 };
-inline constexpr std::array<std::string_view, 4> SurfaceFaultNames = { "degenerate triangle", "open edge",
-  "intersection", "sheet inside the fluid" };
+inline constexpr std::array<std::string_view, 10> SurfaceFaultNames = { "coordinates not finite",
+  "degenerate triangle", "duplicate triangle", "open edge", "non-manifold edge", "non-manifold point",
+  "turned triangle", "intersection", "nearly coincident sheets", "sheet inside the fluid" };
+
+// Whether a surface with such a fault cannot bound a mesh.
+inline bool preventsMeshing(SurfaceFault fault)
+{
+  return fault == SurfaceFault::NotFinite || fault == SurfaceFault::Degenerate ||
+    fault == SurfaceFault::Duplicate || fault == SurfaceFault::OpenEdge ||
+    fault == SurfaceFault::Intersection || fault == SurfaceFault::InsideFluid;
+}
 
 struct SurfaceFinding
 {
@@ -44,11 +58,11 @@ Outcome checkCoordinates(const SurfaceMesh& surface, const char* what);
 // To be asked before anything else is done with the coordinates.
 Outcome checkExtent(const SurfaceMesh& surface);
 
-// Mends what is harmless (points of equal coordinates, collapsed, flat or repeated triangles), then
-// looks for open edges and intersections, in exact arithmetic. In the planes `closedBy` edges may be open: the
-// planes close the surface there.
-SurfaceVerdict mendAndCheck(
-  SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy = {});
+// Whether a point can be computed with: finite, and not beyond 1e50.
+bool isUsable(const Vector3& p);
+
+// "(x, y, z)"
+std::string placeOf(const Vector3& p);
 
 // "(x, y, z) in patch 'name'" of a triangle's centre.
 std::string placeOf(const SurfaceMesh& surface, Index triangle, const PatchTable& patches);

@@ -16,7 +16,7 @@ std::array<Index, 3> sorted(std::array<Index, 3> t)
 }
 
 template <class Keep>
-std::size_t keepTriangles(SurfaceMesh& surface, Keep keep)
+std::size_t keepTrianglesIf(SurfaceMesh& surface, Keep keep)
 {
   std::size_t kept = 0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -162,12 +162,17 @@ bool isDegenerate(const SurfaceMesh& surface, Index triangle)
 std::size_t dropCollapsedTriangles(SurfaceMesh& surface)
 {
   const auto& tri = surface.triangles;
-  return keepTriangles(surface,
+  return keepTrianglesIf(surface,
     [&tri](std::size_t t)
     { return tri[t][0] != tri[t][1] && tri[t][1] != tri[t][2] && tri[t][2] != tri[t][0]; });
 }
 
-std::size_t dropRepeatedTriangles(SurfaceMesh& surface)
+std::size_t keepTriangles(SurfaceMesh& surface, const std::vector<char>& stays)
+{
+  return keepTrianglesIf(surface, [&stays](std::size_t t) { return stays[t] != 0; });
+}
+
+std::vector<Index> firstOfEqual(const SurfaceMesh& surface)
 {
   std::vector<Index> order(surface.triangles.size());
   std::iota(order.begin(), order.end(), 0);
@@ -179,12 +184,19 @@ std::size_t dropRepeatedTriangles(SurfaceMesh& surface)
   }
   std::sort(
     order.begin(), order.end(), [&](Index i, Index j) { return key[i] != key[j] ? key[i] < key[j] : i < j; });
-  std::vector<char> repeated(order.size(), 0);
-  for (std::size_t i = 1; i < order.size(); ++i)
+  std::vector<Index> first(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
   {
-    repeated[order[i]] = key[order[i]] == key[order[i - 1]];
+    const bool repeats = i > 0 && key[order[i]] == key[order[i - 1]];
+    first[order[i]] = repeats ? first[order[i - 1]] : order[i];
   }
-  return keepTriangles(surface, [&](std::size_t t) { return !repeated[t]; });
+  return first;
+}
+
+std::size_t dropRepeatedTriangles(SurfaceMesh& surface)
+{
+  const std::vector<Index> first = firstOfEqual(surface);
+  return keepTrianglesIf(surface, [&](std::size_t t) { return first[t] == static_cast<Index>(t); });
 }
 
 std::size_t swapFlatTriangles(SurfaceMesh& surface)
@@ -221,7 +233,7 @@ std::size_t swapFlatTriangles(SurfaceMesh& surface)
   return mended;
 }
 
-std::size_t countTurnedTriangles(const SurfaceMesh& surface)
+std::vector<char> turnedTriangles(const SurfaceMesh& surface)
 {
   struct Link
   {
@@ -239,32 +251,39 @@ std::size_t countTurnedTriangles(const SurfaceMesh& surface)
         links[first[1].triangle].push_back({ first[0].triangle, turned });
       }
     });
-  std::size_t count = 0;
-  std::vector<signed char> side(surface.triangles.size(), -1);
+  std::vector<char> isTurned(surface.triangles.size(), 0);
+  std::vector<char> isKnown(surface.triangles.size(), 0);
   std::vector<Index> piece;
-  for (std::size_t seed = 0; seed < side.size(); ++seed)
+  for (std::size_t seed = 0; seed < isKnown.size(); ++seed)
   {
-    if (side[seed] >= 0)
+    if (isKnown[seed])
     {
       continue;
     }
     piece = { static_cast<Index>(seed) };
-    side[seed] = 0;
+    isKnown[seed] = 1;
     std::size_t turned = 0;
     for (std::size_t i = 0; i < piece.size(); ++i)
     {
-      turned += static_cast<std::size_t>(side[piece[i]]);
+      turned += isTurned[piece[i]] ? 1 : 0;
       for (const Link& link : links[piece[i]])
       {
-        if (side[link.neighbour] < 0)
+        if (!isKnown[link.neighbour])
         {
-          side[link.neighbour] = static_cast<signed char>(side[piece[i]] ^ (link.turned ? 1 : 0));
+          isKnown[link.neighbour] = 1;
+          isTurned[link.neighbour] = isTurned[piece[i]] != (link.turned ? 1 : 0);
           piece.push_back(link.neighbour);
         }
       }
     }
-    count += std::min(turned, piece.size() - turned);
+    if (2 * turned > piece.size())
+    {
+      for (const Index t : piece)
+      {
+        isTurned[t] = !isTurned[t];
+      }
+    }
   }
-  return count;
+  return isTurned;
 }
 } // namespace ransmesh

@@ -18,6 +18,12 @@ bool isDegenerate(const SurfaceMesh& surface, Index triangle);
 // Drops triangles that name a point twice. Gives how many.
 std::size_t dropCollapsedTriangles(SurfaceMesh& surface);
 
+// Keeps the triangles whose flag is set. Gives how many went.
+std::size_t keepTriangles(SurfaceMesh& surface, const std::vector<char>& stays);
+
+// For each triangle the first one with the same three points, in any order.
+std::vector<Index> firstOfEqual(const SurfaceMesh& surface);
+
 // Drops all but the first of triangles with the same three points. Gives how many.
 std::size_t dropRepeatedTriangles(SurfaceMesh& surface);
 
@@ -25,6 +31,7 @@ std::size_t dropRepeatedTriangles(SurfaceMesh& surface);
 // there, which takes its place: the surface covers the same points of space. Gives how many were mended.
 std::size_t swapFlatTriangles(SurfaceMesh& surface);
 
-// How many triangles run against their neighbours: the smaller part of each connected piece.
-std::size_t countTurnedTriangles(const SurfaceMesh& surface);
+// A flag a triangle: whether it runs against its neighbours. Of what hangs together by edges of two triangles
+// it is the smaller part.
+std::vector<char> turnedTriangles(const SurfaceMesh& surface);
 } // namespace ransmesh

@@ -41,7 +41,10 @@ inline constexpr const char* FirstHeightAsked = "FirstHeightAsked";       // dou
 inline constexpr const char* FirstHeightAchieved = "FirstHeightAchieved"; // double
 inline constexpr const char* StopReason = "StopReason";           // int, an index into StopReasonNames
 inline constexpr const char* StopReasonNames = "StopReasonNames"; // field data, string
-// Cell data of the mesher's second output.
+// Field data of a wrapped surface.
+inline constexpr const char* WrapAlpha = "WrapAlpha";   // double, length unit: what is narrower is bridged
+inline constexpr const char* WrapOffset = "WrapOffset"; // double, length unit: how far outside it lies
+// Cell data of the check's output and the mesher's second output.
 inline constexpr const char* Reason = "Reason";           // int, an index into ReasonNames
 inline constexpr const char* ReasonNames = "ReasonNames"; // field data, string
 inline constexpr const char* PartnerId = "PartnerId";     // id of the other triangle of a pair, or -1

@@ -1,14 +1,17 @@
 #include "Boundary/SurfaceCheck.h"
 #include "Boundary/SurfaceIntersections.h"
 #include "Boundary/SurfaceRepair.h"
+#include "Surface/Preparation.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace
 {
 using namespace ransmesh;
 
-const PatchTable OnePatch = { { "fluid", PatchType::Patch }, { "body", PatchType::Patch } };
+PatchTable OnePatch = { { "fluid", PatchType::Patch }, { "body", PatchType::Patch } };
 
 SurfaceMesh surfaceOf(std::vector<Vector3> points, std::vector<std::array<Index, 3>> triangles)
 {
@@ -21,6 +24,12 @@ SurfaceMesh tetrahedron(double shift = 0)
 {
   return surfaceOf({ { shift, 0, 0 }, { shift + 1, 0, 0 }, { shift, 1, 0 }, { shift, 0, 1 } },
     { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } });
+}
+
+std::ptrdiff_t turnedCount(const SurfaceMesh& surface)
+{
+  const std::vector<char> isTurned = turnedTriangles(surface);
+  return std::count(isTurned.begin(), isTurned.end(), 1);
 }
 
 void add(SurfaceMesh& surface, const SurfaceMesh& other)
@@ -38,7 +47,7 @@ void add(SurfaceMesh& surface, const SurfaceMesh& other)
 TEST(SurfaceCheck, AcceptsASoundSurface)
 {
   SurfaceMesh surface = tetrahedron();
-  const SurfaceVerdict verdict = mendAndCheck(surface, OnePatch);
+  const SurfaceVerdict verdict = prepareSurface(surface, OnePatch, {}, {});
   EXPECT_TRUE(verdict.outcome.ok()) << verdict.outcome.message;
   EXPECT_TRUE(verdict.findings.empty());
   EXPECT_TRUE(verdict.repairs.empty());
@@ -49,7 +58,7 @@ TEST(SurfaceCheck, MergesEqualPoints)
   SurfaceMesh surface =
     surfaceOf({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -0.0, 0, 0 }, { 5, 5, 5 } },
       { { 0, 2, 1 }, { 4, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } });
-  EXPECT_TRUE(mendAndCheck(surface, OnePatch).outcome.ok());
+  EXPECT_TRUE(prepareSurface(surface, OnePatch, {}, {}).outcome.ok());
   EXPECT_EQ(surface.points.size(), 4u);
 }
 
@@ -75,7 +84,7 @@ TEST(SurfaceCheck, FindsPiercedTriangles)
 {
   SurfaceMesh surface = tetrahedron();
   add(surface, tetrahedron(0.25));
-  const SurfaceVerdict verdict = mendAndCheck(surface, OnePatch);
+  const SurfaceVerdict verdict = prepareSurface(surface, OnePatch, {}, {});
   EXPECT_EQ(verdict.outcome.kind, Outcome::Kind::BadInput);
   EXPECT_FALSE(verdict.findings.empty());
 }
@@ -105,10 +114,10 @@ TEST(SurfaceIntersections, FindsCutsThroughACommonPoint)
 TEST(SurfaceRepair, CountsTheSmallerPartAsTurned)
 {
   SurfaceMesh surface = tetrahedron();
-  EXPECT_EQ(countTurnedTriangles(surface), 0u);
+  EXPECT_EQ(turnedCount(surface), 0);
   for (int i = 0; i < 3; ++i)
   {
     std::swap(surface.triangles[i][0], surface.triangles[i][1]);
   }
-  EXPECT_EQ(countTurnedTriangles(surface), 1u);
+  EXPECT_EQ(turnedCount(surface), 1);
 }

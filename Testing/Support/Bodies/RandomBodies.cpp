@@ -1,8 +1,8 @@
 #include "Bodies/RandomBodies.h"
 
 #include "Boundary/FeatureSplit.h"
-#include "Boundary/SurfaceCheck.h"
 #include "Boundary/SurfaceRemeshing.h"
+#include "Surface/Preparation.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
@@ -253,7 +253,7 @@ RandomBody randomBody(std::uint32_t seed)
   const Frame frame = randomFrame(dice);
   ransmesh::SurfaceMesh surface = toSurface(randomSolid(dice));
   if (!remeshSurface(surface, result.size, 30).ok() ||
-    !mendAndCheck(surface, result.body.patches).outcome.ok())
+    !prepareSurface(surface, result.body.patches, {}, {}).outcome.ok())
   {
     return result;
   }

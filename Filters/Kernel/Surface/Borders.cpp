@@ -1,0 +1,123 @@
+#include "Surface/Borders.h"
+
+#include "Boundary/SurfaceEdges.h"
+
+#include <map>
+
+namespace ransmesh
+{
+namespace
+{
+class BorderWalk
+{
+public:
+  explicit BorderWalk(const SurfaceMesh& surface)
+    : surface_(surface)
+  {
+    forEachEdge(sortedEdges(surface),
+      [&](const SurfaceEdge* first, const SurfaceEdge* last)
+      {
+        if (last - first == 1)
+        {
+          next_.emplace(first->forward ? first->a : first->b, first->forward ? first->b : first->a);
+        }
+      });
+  }
+
+  std::vector<BorderLoop> run()
+  {
+    while (!next_.empty())
+    {
+      walk(startOfChain());
+    }
+    return std::move(loops_);
+  }
+
+private:
+  // A point that no open edge leads to, if there is one: chains are walked whole.
+  Index startOfChain()
+  {
+    if (!chainsAreDone_)
+    {
+      std::multimap<Index, Index> into;
+      for (const auto& [from, to] : next_)
+      {
+        into.emplace(to, from);
+      }
+      for (const auto& [from, to] : next_)
+      {
+        if (!into.contains(from))
+        {
+          return from;
+        }
+      }
+      chainsAreDone_ = true;
+    }
+    return next_.begin()->first;
+  }
+
+  void walk(Index start)
+  {
+    std::vector<Index> path = { start };
+    std::map<Index, std::size_t> placeOnPath = { { start, 0 } };
+    for (auto edge = next_.find(start); edge != next_.end(); edge = next_.find(path.back()))
+    {
+      const Index to = edge->second;
+      next_.erase(edge);
+      const auto known = placeOnPath.find(to);
+      if (known == placeOnPath.end())
+      {
+        placeOnPath[to] = path.size();
+        path.push_back(to);
+        continue;
+      }
+      const std::vector<Index> loop(path.begin() + static_cast<std::ptrdiff_t>(known->second), path.end());
+      keep(loop, true);
+      for (std::size_t i = known->second + 1; i < path.size(); ++i)
+      {
+        placeOnPath.erase(path[i]);
+      }
+      path.resize(known->second + 1);
+    }
+    if (path.size() > 1)
+    {
+      keep(path, false);
+    }
+  }
+
+  void keep(const std::vector<Index>& points, bool closed)
+  {
+    std::vector<Vector3> places;
+    for (const Index v : points)
+    {
+      places.push_back(surface_.points[v]);
+    }
+    loops_.push_back({ points, closed, extentOf(places) });
+  }
+
+  const SurfaceMesh& surface_;
+  std::multimap<Index, Index> next_; // the open edges that are not in a loop yet
+  bool chainsAreDone_ = false;
+  std::vector<BorderLoop> loops_;
+};
+} // namespace
+
+std::vector<BorderLoop> findBorders(const SurfaceMesh& surface)
+{
+  return BorderWalk(surface).run();
+}
+
+std::vector<char> borderPoints(const SurfaceMesh& surface)
+{
+  std::vector<char> isBorder(surface.points.size(), 0);
+  forEachEdge(sortedEdges(surface),
+    [&](const SurfaceEdge* first, const SurfaceEdge* last)
+    {
+      if (last - first == 1)
+      {
+        isBorder[first->a] = isBorder[first->b] = 1;
+      }
+    });
+  return isBorder;
+}
+} // namespace ransmesh

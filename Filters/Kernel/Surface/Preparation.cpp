@@ -1,0 +1,210 @@
+#include "Surface/Preparation.h"
+
+#include "Boundary/SurfaceRepair.h"
+#include "Surface/Borders.h"
+#include "Surface/DiagnosisText.h"
+#include "Surface/Welding.h"
+#include "Surface/Wrapping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ransmesh
+{
+namespace
+{
+// More holes are no holes that somebody wants filled.
+constexpr std::size_t MostHoles = 200;
+
+std::string numberText(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+// With two digits, not below x.
+double roundedUp(double x)
+{
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::ceil(x / unit * (1 + 1e-9)) * unit;
+}
+
+bool heals(const SurfaceMesh& surface, PatchTable patches, const RepairOptions& options)
+{
+  SurfaceMesh trial = surface;
+  repairSurface(trial, patches, options);
+  DiagnosisOptions topology;
+  topology.intersections = false;
+  topology.closedBy = options.closedBy;
+  const Context silent;
+  if (!diagnose(trial, topology, silent).isSound())
+  {
+    return false;
+  }
+  DiagnosisOptions all = topology;
+  all.intersections = true;
+  all.nearTolerance = 0;
+  return diagnose(trial, all, silent).isSound();
+}
+
+// Tries the repairs that are not done by themselves.
+std::string workingRepair(
+  const SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy)
+{
+  SurfaceMesh merged = surface;
+  mergeEqualPoints(merged);
+  RepairOptions options;
+  options.closedBy = closedBy;
+  if (const double width = widthOfGaps(merged); width > 0)
+  {
+    options.weldTolerance = roundedUp(width);
+    if (heals(merged, patches, options))
+    {
+      return "weld the gaps: set WeldTolerance to " + numberText(options.weldTolerance) +
+        " (ransmesh --weld " + numberText(options.weldTolerance) + ")";
+    }
+    options.weldTolerance = AutomaticTolerance;
+  }
+  PatchTable copy = patches;
+  repairSurface(merged, copy, {});
+  const std::vector<BorderLoop> borders = findBorders(merged);
+  for (const BorderLoop& border : borders)
+  {
+    options.largestHole = std::max(options.largestHole, border.extent.largestLength());
+  }
+  if (borders.empty() || borders.size() > MostHoles)
+  {
+    return "";
+  }
+  options.largestHole = roundedUp(options.largestHole);
+  if (!heals(surface, patches, options))
+  {
+    return "";
+  }
+  const std::string holes =
+    borders.size() == 1 ? "the hole" : "the " + std::to_string(borders.size()) + " holes";
+  return "fill " + holes + ": set LargestHole to " + numberText(options.largestHole) +
+    " (ransmesh --fill-holes " + numberText(options.largestHole) + ")";
+}
+
+std::string wrapping(const SurfaceMesh& surface)
+{
+  const std::string alpha = numberText(proposedAlpha(surface));
+  return "wrap it by vtkSurfaceWrap with an Alpha of " + alpha + " (ransmesh --wrap " + alpha + ")";
+}
+
+SurfaceVerdict refusal(const SurfaceMesh& surface, const PatchTable& patches, const Diagnosis& diagnosis,
+  const std::vector<AxisPlane>& closedBy)
+{
+  SurfaceVerdict verdict;
+  for (const Fault& fault : diagnosis.faults)
+  {
+    verdict.findings.insert(verdict.findings.end(), fault.findings.begin(), fault.findings.end());
+  }
+  verdict.outcome = Outcome::badInput(describe(diagnosis, surface, patches) +
+    ". Remedy: " + proposeRemedy(surface, patches, diagnosis, closedBy));
+  return verdict;
+}
+
+std::vector<std::string> textsOf(const std::vector<Repair>& repairs)
+{
+  std::vector<std::string> texts;
+  for (const Repair& repair : repairs)
+  {
+    texts.push_back(repair.text);
+  }
+  return texts;
+}
+
+// What can be said before coordinates are computed with.
+SurfaceVerdict checkInput(const SurfaceMesh& surface, const PatchTable& patches)
+{
+  SurfaceVerdict verdict;
+  DiagnosisOptions topology;
+  topology.intersections = false;
+  const auto& points = surface.points;
+  if (!std::all_of(points.begin(), points.end(), isUsable))
+  {
+    const Diagnosis diagnosis = diagnose(surface, topology, {});
+    if (diagnosis.find(SurfaceFault::NotFinite))
+    {
+      return refusal(surface, patches, diagnosis, {});
+    }
+  }
+  verdict.outcome = checkExtent(surface);
+  return verdict;
+}
+} // namespace
+
+std::string proposeRemedy(const SurfaceMesh& surface, const PatchTable& patches, const Diagnosis& diagnosis,
+  const std::vector<AxisPlane>& closedBy)
+{
+  if (diagnosis.find(SurfaceFault::NotFinite))
+  {
+    return "repair the file or the filter that made it";
+  }
+  if (diagnosis.find(SurfaceFault::OpenEdge))
+  {
+    const std::string repair = workingRepair(surface, patches, closedBy);
+    return repair.empty() ? "close the surface where it was made, or " + wrapping(surface) : repair;
+  }
+  if (diagnosis.find(SurfaceFault::Intersection))
+  {
+    return "separate the parts or unite them in the CAD system, or " + wrapping(surface);
+  }
+  return "switch Repair on, or clean the surface where it was made";
+}
+
+SurfaceVerdict prepareSurface(
+  SurfaceMesh& surface, PatchTable& patches, const PreparationOptions& options, const Context& context)
+{
+  SurfaceVerdict verdict = checkInput(surface, patches);
+  if (!verdict.outcome.ok())
+  {
+    return verdict;
+  }
+  SurfaceMesh mended = surface;
+  PatchTable mendedPatches = patches;
+  std::vector<Repair> repairs;
+  if (options.repair)
+  {
+    RepairOptions how = options.repairs;
+    how.closedBy = options.closedBy;
+    repairs = repairSurface(mended, mendedPatches, how);
+  }
+  else
+  {
+    mergeEqualPoints(mended);
+  }
+  if (mended.triangles.empty())
+  {
+    verdict.outcome = Outcome::badInput("all triangles of the surface are degenerate");
+    return verdict;
+  }
+  DiagnosisOptions examination = options.diagnosis;
+  examination.closedBy = options.closedBy;
+  const Diagnosis after = diagnose(mended, examination, context);
+  if (!after.isSound())
+  {
+    const Diagnosis given = repairs.empty() ? after : diagnose(surface, examination, context);
+    const bool isInGiven = !given.isSound();
+    verdict = isInGiven ? refusal(surface, patches, given, options.closedBy)
+                        : refusal(mended, mendedPatches, after, options.closedBy);
+    surface = isInGiven ? surface : mended;
+    patches = isInGiven ? patches : mendedPatches;
+    return verdict;
+  }
+  if (const Fault* near = after.find(SurfaceFault::NearSheets))
+  {
+    Diagnosis only;
+    only.faults = { *near };
+    context.remark(describe(only, mended, mendedPatches));
+  }
+  surface = std::move(mended);
+  patches = std::move(mendedPatches);
+  verdict.repairs = textsOf(repairs);
+  return verdict;
+}
+} // namespace ransmesh

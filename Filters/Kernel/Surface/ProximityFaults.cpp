@@ -1,0 +1,191 @@
+#include "Surface/ProximityFaults.h"
+
+#include "Boundary/SurfaceIntersections.h"
+#include "Geometry/Distance.h"
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace ransmesh
+{
+namespace
+{
+using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const std::array<Index, 3>*>;
+using Pair = std::pair<Index, Index>;
+
+constexpr std::size_t MostPairs = 1000000; // more would say no more and fill the memory
+constexpr double PartOfEdge = 0.1;
+
+// The findings about the pairs: each triangle once, with the first that it meets.
+std::vector<SurfaceFinding> findingsOf(SurfaceFault kind, const std::vector<Pair>& pairs)
+{
+  std::map<Index, Index> partnerOf;
+  for (const auto& [s, t] : pairs)
+  {
+    partnerOf.emplace(s, t);
+    partnerOf.emplace(t, s);
+  }
+  std::vector<SurfaceFinding> findings;
+  for (const auto& [triangle, partner] : partnerOf)
+  {
+    findings.push_back({ kind, triangle, partner });
+  }
+  return findings;
+}
+
+// Where a side of one triangle passes through the other.
+class Meeting
+{
+public:
+  explicit Meeting(const SurfaceMesh& surface)
+    : surface_(surface)
+  {
+  }
+
+  Vector3 of(Index s, Index t)
+  {
+    least_ = std::numeric_limits<double>::max();
+    place_ = centreOf(surface_, s);
+    trySides(s, t);
+    trySides(t, s);
+    return place_;
+  }
+
+private:
+  const Vector3& corner(Index t, int i) const { return surface_.points[surface_.triangles[t][i]]; }
+
+  void trySides(Index sides, Index plane)
+  {
+    const Vector3& a = corner(plane, 0);
+    const Vector3& b = corner(plane, 1);
+    const Vector3& c = corner(plane, 2);
+    const Vector3 normal = cross(b - a, c - a);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector3& p = corner(sides, i);
+      const Vector3& q = corner(sides, (i + 1) % 3);
+      const double hp = dot(normal, p - a);
+      const double hq = dot(normal, q - a);
+      if (hp * hq > 0 || hp == hq)
+      {
+        continue;
+      }
+      const Vector3 x = p + (hp / (hp - hq)) * (q - p);
+      const double off = distanceToTriangle(x, a, b, c);
+      if (off < least_)
+      {
+        least_ = off;
+        place_ = x;
+      }
+    }
+  }
+
+  const SurfaceMesh& surface_;
+  double least_ = 0;
+  Vector3 place_;
+};
+
+class NearTest
+{
+public:
+  NearTest(const SurfaceMesh& surface, double distance)
+    : surface_(surface)
+    , distance_(distance)
+  {
+  }
+
+  bool isNear(Index s, Index t) const
+  {
+    const auto& u = surface_.triangles[s];
+    const auto& v = surface_.triangles[t];
+    for (const Index corner : u)
+    {
+      if (corner == v[0] || corner == v[1] || corner == v[2])
+      {
+        return false;
+      }
+    }
+    const double limit = std::min({ distance_, PartOfEdge * shortestSide(u), PartOfEdge * shortestSide(v) });
+    return comesWithin(limit, u, v) || comesWithin(limit, v, u);
+  }
+
+private:
+  double shortestSide(const std::array<Index, 3>& t) const
+  {
+    const auto& p = surface_.points;
+    return std::min({ distance(p[t[0]], p[t[1]]), distance(p[t[1]], p[t[2]]), distance(p[t[2]], p[t[0]]) });
+  }
+
+  bool comesWithin(double limit, const std::array<Index, 3>& u, const std::array<Index, 3>& v) const
+  {
+    const auto& p = surface_.points;
+    return std::any_of(u.begin(), u.end(),
+      [&](Index c) { return distanceToTriangle(p[c], p[v[0]], p[v[1]], p[v[2]]) <= limit; });
+  }
+
+  const SurfaceMesh& surface_;
+  double distance_;
+};
+
+std::vector<Box> boxesAround(const SurfaceMesh& surface, double margin)
+{
+  std::vector<Box> boxes;
+  boxes.reserve(surface.triangles.size());
+  for (const auto& t : surface.triangles)
+  {
+    CGAL::Bbox_3 box;
+    for (const Index v : t)
+    {
+      const Vector3& p = surface.points[v];
+      box += CGAL::Bbox_3(p.x - margin, p.y - margin, p.z - margin, p.x + margin, p.y + margin, p.z + margin);
+    }
+    boxes.emplace_back(box, &t);
+  }
+  return boxes;
+}
+} // namespace
+
+Fault findCrossings(const SurfaceMesh& surface)
+{
+  Fault fault;
+  fault.kind = SurfaceFault::Intersection;
+  fault.pairs = findIntersections(surface, MostPairs);
+  fault.count = fault.pairs.size();
+  fault.findings = findingsOf(fault.kind, fault.pairs);
+  if (fault.count > 0)
+  {
+    fault.where = Meeting(surface).of(fault.pairs[0].first, fault.pairs[0].second);
+  }
+  return fault;
+}
+
+Fault findNearSheets(
+  const SurfaceMesh& surface, double distance, const std::vector<std::pair<Index, Index>>& crossing)
+{
+  Fault fault;
+  fault.kind = SurfaceFault::NearSheets;
+  std::vector<Box> boxes = boxesAround(surface, distance / 2);
+  const NearTest test(surface, distance);
+  const auto examine = [&](const Box& x, const Box& y)
+  {
+    const auto s = static_cast<Index>(x.handle() - surface.triangles.data());
+    const auto t = static_cast<Index>(y.handle() - surface.triangles.data());
+    const Pair pair(std::min(s, t), std::max(s, t));
+    if (fault.pairs.size() < MostPairs && test.isNear(s, t) &&
+      !std::binary_search(crossing.begin(), crossing.end(), pair))
+    {
+      fault.pairs.push_back(pair);
+    }
+  };
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), examine);
+  std::sort(fault.pairs.begin(), fault.pairs.end());
+  fault.count = fault.pairs.size();
+  fault.findings = findingsOf(fault.kind, fault.pairs);
+  fault.where = fault.count > 0 ? centreOf(surface, fault.pairs[0].first) : Vector3();
+  return fault;
+}
+} // namespace ransmesh

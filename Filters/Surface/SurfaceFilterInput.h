@@ -1,0 +1,16 @@
+// What the filters of this module have in common: surfaces in, with patches.
+#pragma once
+
+#include "SurfaceInput.h"
+
+class vtkInformation;
+class vtkInformationVector;
+
+namespace ransmesh
+{
+// Poly data, or composite data of them, from any number of connections.
+void acceptSurfaces(vtkInformation* port);
+
+// What all connections of a port hold, as one surface. BadInput where there are no triangles, too.
+Outcome readSurfaces(vtkInformationVector* port, SurfaceInput& input);
+} // namespace ransmesh
