@@ -114,7 +114,7 @@ int vtkPrismRecombination::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::recombinePrisms(mesh, prism, context, result);
+    outcome = ransmesh::recombinePrisms(mesh, prism, this->MaximumNonOrthogonality, context, result);
   }
 #ifndef NDEBUG
   if (const auto faults = ransmesh::findFaults(result.mesh); outcome.ok() && !faults.none())
@@ -139,14 +139,17 @@ int vtkPrismRecombination::RequestData(
   this->NumberOfWedges = static_cast<vtkIdType>(result.mesh.wedges.size());
   this->NumberOfPyramids = static_cast<vtkIdType>(result.mesh.pyramids.size());
   this->NumberOfAddedPoints = static_cast<vtkIdType>(result.report.newPoints);
+  this->NumberOfMovedPoints = static_cast<vtkIdType>(result.report.orthogonality.movedPoints);
   return 1;
 }
 
 void vtkPrismRecombination::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumNonOrthogonality: " << this->MaximumNonOrthogonality << "\n";
   os << indent << "ShareOfLayers: " << this->ShareOfLayers << "\n";
   os << indent << "NumberOfWedges: " << this->NumberOfWedges << "\n";
   os << indent << "NumberOfPyramids: " << this->NumberOfPyramids << "\n";
   os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
+  os << indent << "NumberOfMovedPoints: " << this->NumberOfMovedPoints << "\n";
 }

@@ -32,13 +32,24 @@ public:
 
   ///@{
   /**
+   * Points beyond the layers move where a face of their tetrahedra is less orthogonal than this: the angle between
+   * its normal and the line between the centres of its cells, in degrees, 0 to 90. Cell-centred solvers warn above
+   * 70, which is the default. 90: no point moves.
+   */
+  vtkSetClampMacro(MaximumNonOrthogonality, double, 0, 90);
+  vtkGetMacro(MaximumNonOrthogonality, double);
+  ///@}
+
+  ///@{
+  /**
    * Of the last execution: the share of the layers' tetrahedra that became wedges, 0 to 1; the numbers of wedges
-   * and pyramids; points added.
+   * and pyramids; points added; points beyond the layers that moved.
    */
   vtkGetMacro(ShareOfLayers, double);
   vtkGetMacro(NumberOfWedges, vtkIdType);
   vtkGetMacro(NumberOfPyramids, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
+  vtkGetMacro(NumberOfMovedPoints, vtkIdType);
   ///@}
 
 protected:
@@ -51,10 +62,12 @@ private:
   vtkPrismRecombination(const vtkPrismRecombination&) = delete;
   void operator=(const vtkPrismRecombination&) = delete;
 
+  double MaximumNonOrthogonality = 70;
   double ShareOfLayers = 0;
   vtkIdType NumberOfWedges = 0;
   vtkIdType NumberOfPyramids = 0;
   vtkIdType NumberOfAddedPoints = 0;
+  vtkIdType NumberOfMovedPoints = 0;
 };
 
 #endif

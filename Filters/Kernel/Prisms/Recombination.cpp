@@ -97,10 +97,11 @@ void addBoundary(const MeshData& mesh, const PrismGroups& groups, RecombinedMesh
 }
 } // namespace
 
-Outcome recombinePrisms(
-  const MeshData& mesh, const std::vector<Index>& prism, const Context& context, RecombinedMesh& result)
+Outcome recombinePrisms(const MeshData& given, const std::vector<Index>& prism,
+  double maximumNonOrthogonality, const Context& context, RecombinedMesh& result)
 {
   result = {};
+  MeshData mesh = given;
   const FaceMatching matching = matchFaces(mesh);
   if (!matching.ok())
   {
@@ -110,6 +111,10 @@ Outcome recombinePrisms(
   if (context.stopped())
   {
     return Outcome::cancelled();
+  }
+  if (maximumNonOrthogonality < 90)
+  {
+    result.report.orthogonality = improveOrthogonality(mesh, matching, prism, maximumNonOrthogonality);
   }
   PrismGroups groups = findPrismGroups(mesh, matching, prism);
   chooseQuads(mesh, groups);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Mesh/MixedMesh.h"
+#include "Prisms/Orthogonality.h"
 #include "Support/Context.h"
 #include "Support/Outcome.h"
 
@@ -16,6 +17,8 @@ struct RecombinationReport
   std::size_t tetsInWedges = 0; // of these, that became wedges
   std::size_t newPoints = 0;    // amid prisms that are a wedge on some sides and tetrahedra on others
 
+  OrthogonalityReport orthogonality;
+
   // Of the layers' tetrahedra, 0 to 1; 1 where there are none.
   double shareInWedges() const
   {
@@ -25,7 +28,7 @@ struct RecombinationReport
 
 struct RecombinedMesh
 {
-  MixedMesh mesh; // the points of the given mesh, then the new ones
+  MixedMesh mesh; // the points of the given mesh, some of them moved, then the new ones
   // Where things come from: a tetrahedron of each cell, a triangle of each boundary polygon, a point beside each
   // new point.
   std::vector<Index> cellOrigin;
@@ -34,9 +37,10 @@ struct RecombinedMesh
   RecombinationReport report;
 };
 
-// mesh: valid. prism: of each tetrahedron, those of one prism share a number; negative for none. Two or three
+// given: a valid mesh. prism: of each tetrahedron, those of one prism share a number; negative for none. Two or three
 // tetrahedra of a number are a prism or a part of one; where they are not, they stay. BadInput for a mesh whose
 // faces do not match; Cancelled.
-Outcome recombinePrisms(
-  const MeshData& mesh, const std::vector<Index>& prism, const Context& context, RecombinedMesh& result);
+// maximumNonOrthogonality: what improveOrthogonality (Prisms/Orthogonality.h) is to reach; 90 moves nothing.
+Outcome recombinePrisms(const MeshData& given, const std::vector<Index>& prism,
+  double maximumNonOrthogonality, const Context& context, RecombinedMesh& result);
 } // namespace ransmesh

@@ -49,7 +49,7 @@ Subject makeSubject(const std::function<Vector3(const Vector3&)>& map = {})
 RecombinedMesh recombine(const Subject& subject)
 {
   RecombinedMesh result;
-  EXPECT_TRUE(recombinePrisms(subject.mesh, subject.prism, {}, result).ok());
+  EXPECT_TRUE(recombinePrisms(subject.mesh, subject.prism, 90, {}, result).ok());
   const MixedFaults faults = findFaults(result.mesh);
   EXPECT_TRUE(faults.none()) << faults.text();
   return result;
@@ -205,7 +205,7 @@ TEST(Recombination, RefusesAMeshThatIsNotClosed)
   subject.mesh.triangles.pop_back();
   subject.mesh.trianglePatch.pop_back();
   RecombinedMesh result;
-  EXPECT_EQ(recombinePrisms(subject.mesh, subject.prism, {}, result).kind, Outcome::Kind::BadInput);
+  EXPECT_EQ(recombinePrisms(subject.mesh, subject.prism, 90, {}, result).kind, Outcome::Kind::BadInput);
 }
 
 TEST(Recombination, StopsOnRequest)
@@ -214,5 +214,5 @@ TEST(Recombination, StopsOnRequest)
   Context context;
   context.cancelled = [] { return true; };
   RecombinedMesh result;
-  EXPECT_EQ(recombinePrisms(subject.mesh, subject.prism, context, result).kind, Outcome::Kind::Cancelled);
+  EXPECT_EQ(recombinePrisms(subject.mesh, subject.prism, 90, context, result).kind, Outcome::Kind::Cancelled);
 }
