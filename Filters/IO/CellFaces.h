@@ -58,16 +58,6 @@ struct FaceKey
   std::array<vtkIdType, 3> smallest;
 
   bool operator==(const FaceKey&) const = default;
-  std::uint32_t hash() const
-  {
-    std::uint64_t h = 0;
-    for (const vtkIdType p : smallest)
-    {
-      h = (h ^ static_cast<std::uint64_t>(p)) * 0x9E3779B97F4A7C15u;
-      h ^= h >> 29;
-    }
-    return static_cast<std::uint32_t>(h >> 16);
-  }
 };
 
 template <class AnyFace>

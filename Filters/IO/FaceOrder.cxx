@@ -4,7 +4,7 @@ namespace ransmesh
 {
 namespace
 {
-constexpr std::uint32_t Nothing = FaceHash::None;
+constexpr std::uint32_t Nothing = FaceChains::None;
 constexpr std::uint32_t Boundary = Nothing - 1;
 constexpr vtkIdType SmallestPart = 20000;
 constexpr vtkIdType Parts = 9;
@@ -52,36 +52,20 @@ vtkIdType FaceOrder::internalFaces(int corners) const
   return halfFaces / 2;
 }
 
-Face FaceOrder::faceAt(const Part& part, std::uint32_t halfFace) const
-{
-  return faceOf(mesh_.cell(part.first + halfFace / stride_), static_cast<int>(halfFace % stride_));
-}
-
 void FaceOrder::enterBoundary()
 {
   owners_.assign(mesh_.numberOfFaces(), { Nothing, Nothing });
-  onBoundary_.assign(mesh_.numberOfPoints(), false);
-  boundary_.reset(mesh_.numberOfFaces());
+  boundary_.reset(mesh_.numberOfPoints(), mesh_.numberOfFaces());
   for (vtkIdType f = 0; f < mesh_.numberOfFaces(); ++f)
   {
-    const Corners face = mesh_.face(f);
-    boundary_.findOrInsert(keyOf(face), static_cast<std::uint32_t>(f),
-      [this](std::uint32_t other) { return keyOf(mesh_.face(other)); });
-    std::for_each(face.begin(), face.end(), [this](vtkIdType p) { onBoundary_[p] = true; });
+    boundary_.insert(keyOf(mesh_.face(f)), static_cast<std::uint32_t>(f));
   }
-}
-
-std::uint32_t FaceOrder::boundaryFaceOf(const FaceKey& key) const
-{
-  return allMarked(key.smallest, onBoundary_)
-    ? boundary_.find(key, [this](std::uint32_t f) { return keyOf(mesh_.face(f)); })
-    : Nothing;
 }
 
 // Notes the cell behind a boundary face. A third one stays out, which the count tells at the end.
 bool FaceOrder::takenByBoundary(const FaceKey& key, vtkIdType cell)
 {
-  const std::uint32_t face = boundaryFaceOf(key);
+  const std::uint32_t face = boundary_.find(key);
   if (face == Nothing || sides_[face] == 0)
   {
     return false;
@@ -96,10 +80,9 @@ bool FaceOrder::takenByBoundary(const FaceKey& key, vtkIdType cell)
 
 void FaceOrder::matchWithin(const Part& part)
 {
-  const std::size_t halfFaces = static_cast<std::size_t>(part.last - part.first) * stride_;
-  table_.reset(halfFaces);
-  neighbours_.assign(halfFaces, Nothing);
-  const auto keyAt = [this, &part](std::uint32_t h) { return keyOf(faceAt(part, h)); };
+  const std::size_t count = static_cast<std::size_t>(part.last - part.first) * stride_;
+  halfFaces_.reset(mesh_.numberOfPoints(), count);
+  neighbours_.assign(count, Nothing);
   for (vtkIdType c = part.first; c < part.last; ++c)
   {
     const Corners cell = mesh_.cell(c);
@@ -112,12 +95,14 @@ void FaceOrder::matchWithin(const Part& part)
         neighbours_[half] = Boundary;
         continue;
       }
-      const std::uint32_t other = table_.findOrInsert(key, half, keyAt);
-      if (other != Nothing)
+      const std::uint32_t other = halfFaces_.take(key);
+      if (other == Nothing)
       {
-        neighbours_[other] = static_cast<std::uint32_t>(c);
-        neighbours_[half] = static_cast<std::uint32_t>(part.first + other / stride_);
+        halfFaces_.insert(key, half);
+        continue;
       }
+      neighbours_[other] = static_cast<std::uint32_t>(c);
+      neighbours_[half] = static_cast<std::uint32_t>(part.first + other / stride_);
     }
   }
 }
@@ -141,7 +126,6 @@ void FaceOrder::markOpen(const Part& part)
 
 void FaceOrder::matchLater(const Part& part)
 {
-  const auto keyAt = [this, &part](std::uint32_t h) { return keyOf(faceAt(part, h)); };
   for (vtkIdType c = part.last; c < mesh_.numberOfCells(); ++c)
   {
     const Corners cell = mesh_.unturnedCell(c);
@@ -152,8 +136,8 @@ void FaceOrder::matchLater(const Part& part)
     for (int f = 0; f < facesOf(cell.kind); ++f)
     {
       const Face face = faceOf(cell, f);
-      const std::uint32_t half = allMarked(face, open_) ? table_.find(keyOf(face), keyAt) : Nothing;
-      if (half != Nothing && neighbours_[half] == Nothing)
+      const std::uint32_t half = allMarked(face, open_) ? halfFaces_.take(keyOf(face)) : Nothing;
+      if (half != Nothing)
       {
         neighbours_[half] = static_cast<std::uint32_t>(c);
       }
@@ -183,7 +167,7 @@ void FaceOrder::emit(const Part& part, const std::function<void(const InternalFa
     for (auto it = upper.begin(); it != end; ++it)
     {
       const Face face = faceOf(cell, it->second);
-      const std::uint32_t sheet = hasSheets_ ? boundaryFaceOf(keyOf(face)) : Nothing;
+      const std::uint32_t sheet = hasSheets_ ? boundary_.find(keyOf(face)) : Nothing;
       act({ face, c, it->first, sheet == Nothing ? -1 : static_cast<vtkIdType>(sheet) });
       ++emitted_;
     }

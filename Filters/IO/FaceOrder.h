@@ -2,11 +2,11 @@
 // is the cell of the lower number), with little memory.
 //
 // Cells are taken in parts. The faces of a part's cells are matched with each other and with the faces of all
-// later cells by a hash table, which holds the faces of one part only.
+// later cells; what is needed for that is there for one part only.
 #ifndef FaceOrder_h
 #define FaceOrder_h
 
-#include "FaceHash.h"
+#include "FaceChains.h"
 
 #include <functional>
 #include <vector>
@@ -53,7 +53,6 @@ private:
     vtkIdType last;
   };
 
-  Face faceAt(const Part& part, std::uint32_t halfFace) const;
   void enterBoundary();
   std::uint32_t boundaryFaceOf(const FaceKey& key) const;
   bool takenByBoundary(const FaceKey& key, vtkIdType cell);
@@ -67,12 +66,11 @@ private:
   std::uint32_t stride_ = 4;                         // half-faces a cell
   std::vector<unsigned char> sides_;                 // by the view's boundary faces
   std::vector<std::array<std::uint32_t, 2>> owners_; // of the boundary faces, on either side
-  FaceHash boundary_;
-  std::vector<bool> onBoundary_;          // points
+  FaceChains boundary_;
   bool hasSheets_ = false;                // that are internal faces
-  FaceHash table_;                        // half-faces of the part
+  FaceChains halfFaces_;                  // of the part, unmatched
   std::vector<std::uint32_t> neighbours_; // of the part's half-faces
-  std::vector<bool> open_;                // points of the part's unmatched faces
+  std::vector<bool> open_;                // points of the part's unmatched half-faces
   vtkIdType emitted_ = 0;
 };
 } // namespace ransmesh
