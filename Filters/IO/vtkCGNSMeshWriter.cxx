@@ -197,7 +197,6 @@ private:
   {
     const cgsize_t range[2] = { elements_ + 1, elements_ + number(patch.count()) };
     writeFaces(patch, label);
-    const CGNS_ENUMT(BCType_t) type = conditionFor(patch.type);
     int family = 0;
     check(cg_family_write(file_, base_, label.c_str(), &family));
     check(cg_goto(file_, base_, "Family_t", family, "end"));
@@ -207,9 +206,9 @@ private:
       return;
     }
     int condition = 0;
-    check(cg_fambc_write(file_, base_, family, "FamBC", type, &condition));
+    check(cg_fambc_write(file_, base_, family, "FamBC", conditionFor(patch.type), &condition));
     check(
-      cg_boco_write(file_, base_, zone_, label.c_str(), type, CGNS_ENUMV(PointRange), 2, range, &condition));
+      cg_boco_write(file_, base_, zone_, label.c_str(), CGNS_ENUMV(FamilySpecified), CGNS_ENUMV(PointRange), 2, range, &condition));
     check(cg_boco_gridlocation_write(file_, base_, zone_, condition, CGNS_ENUMV(FaceCenter)));
     check(cg_goto(file_, base_, "Zone_t", zone_, "ZoneBC_t", 1, "BC_t", condition, "end"));
     check(cg_famname_write(label.c_str()));

@@ -3,9 +3,9 @@
  * @brief   writes a mesh as a CGNS file (.cgns), in HDF5
  *
  * One base, one unstructured zone; a section of elements for each kind of cell and for each patch, with the
- * patch's name; for each patch a family and a boundary condition (BC_t, of the section's range of elements) of the
- * type that corresponds to its own. A wake is a section with a family, without a boundary condition; a wall
- * without thickness is refused.
+ * patch's name; for each patch a family, whose boundary condition is of the type that corresponds to the patch's,
+ * and a BC_t of the section's range of elements that names the family. A wake is a section with a family, without
+ * a BC_t; a wall without thickness is refused.
  *
  * Input, errors, files: see vtkSolverMeshWriter; formats.md has the format's page.
  */

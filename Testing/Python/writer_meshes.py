@@ -1,0 +1,82 @@
+"""Meshes for the tests of writers."""
+import functools
+import os
+import sys
+
+from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+from ransmeshing import vtkPrismRecombination
+
+sys.path.insert(0, os.path.join(os.environ["RANSMESHING_SOURCE_DIR"], "Examples/Python"))
+import pipeline  # noqa: E402
+import wake  # noqa: E402
+
+
+def grid_of(points, cells, patches):
+    """points; cells: (VTK type, points); patches: (name, type, faces), a face being its points."""
+    grid, coordinates = vtkUnstructuredGrid(), vtkPoints()
+    coordinates.SetDataTypeToDouble()
+    for point in points:
+        coordinates.InsertNextPoint(point)
+    grid.SetPoints(coordinates)
+    numbers, names, types = vtkIntArray(), vtkStringArray(), vtkStringArray()
+    for array, name in ((numbers, "PatchId"), (names, "PatchNames"), (types, "PatchTypes")):
+        array.SetName(name)
+    names.InsertNextValue("fluid")
+    types.InsertNextValue("fluid")
+    for kind, corners in cells:
+        grid.InsertNextCell(kind, len(corners), corners)
+        numbers.InsertNextValue(0)
+    for number, (name, kind, faces) in enumerate(patches, 1):
+        names.InsertNextValue(name)
+        types.InsertNextValue(kind)
+        for face in faces:
+            grid.InsertNextCell(5 if len(face) == 3 else 9, len(face), face)
+            numbers.InsertNextValue(number)
+    grid.GetCellData().AddArray(numbers)
+    grid.GetFieldData().AddArray(names)
+    grid.GetFieldData().AddArray(types)
+    return grid
+
+
+def all_kinds(turned=False):
+    """A cube with a pyramid on it, a wedge beside it and a tetrahedron on that. turned: the wedge is numbered the
+    other way round, against VTK's documentation, which must change nothing."""
+    points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1),
+              (1 / 3, 0.5, 2), (2, 0, 0.5), (2, 1, 0.5), (1.5, -1, 0.1)]
+    wedge = (1, 5, 9, 2, 6, 10) if turned else (1, 9, 5, 2, 10, 6)
+    cells = [(12, range(8)), (14, (4, 5, 6, 7, 8)), (13, wedge), (10, (1, 9, 5, 11))]
+    patches = [
+        ("body", "wall", [(0, 3, 2, 1), (1, 2, 10, 9)]),
+        ("roof", "inlet", [(4, 5, 8), (5, 6, 8), (6, 7, 8), (7, 4, 8)]),
+        ("the rest", "patch", [(0, 1, 5, 4), (2, 3, 7, 6), (0, 4, 7, 3), (5, 9, 10, 6), (2, 6, 10), (1, 9, 11), (9, 5, 11),
+                               (5, 1, 11)]),
+    ]
+    return grid_of(points, cells, patches)
+
+
+@functools.cache
+def ball(prisms=False):
+    """A ball in a box, with layers on it."""
+    sphere = vtkSphereSource()
+    sphere.SetThetaResolution(16)
+    sphere.SetPhiResolution(10)
+    filters = pipeline.make_chain(sphere.GetOutputPort(), first_height=1e-3, layers=5)
+    pipeline.run(filters)
+    enrichment = filters[2]
+    if not prisms:
+        return enrichment.GetOutput()
+    recombination = vtkPrismRecombination()
+    recombination.SetInputConnection(enrichment.GetOutputPort())
+    recombination.Update()
+    return recombination.GetOutput()
+
+
+@functools.cache
+def wing_with_wake():
+    """An isotropic mesh with a sheet in it."""
+    mesher = wake.make_chain(1e-4)[0]
+    pipeline.run([mesher])
+    return mesher.GetOutput()
