@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-sh Filters/CMake/install-debian-packages.sh
+sh Filters/CMake/install-debian-packages.sh tests
 cmake --preset all
 cmake --build --preset all
 ctest --preset all "$@"

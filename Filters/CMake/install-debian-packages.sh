@@ -1,6 +1,8 @@
 #!/bin/sh
 # Installs what RANSMeshing needs on Debian 12, as root; does nothing where all is there.
 #
+#   install-debian-packages.sh [tests]     tests: also the programs that its meshes are read back by
+#
 # ParaView's Python package conflicts with VTK's, so apt cannot hold both: ParaView's three packages
 # are unpacked into a folder of their own, RANSMESHING_PARAVIEW_PREFIX (default
 # /opt/ransmeshing-paraview), where CMake finds them. What they need, paraview-dev brings.
@@ -13,6 +15,7 @@ packages="
   libtet1.5-dev libcgal-dev libcgns-dev zlib1g-dev
   libgtest-dev libbenchmark-dev clang-format clang-tidy
   paraview-dev qttools5-dev qtxmlpatterns5-dev-tools libqt5svg5 xvfb xauth"
+[ "${1:-}" != tests ] || packages="$packages gmsh python3-gmsh cgns-convert openfoam"
 unpacked="paraview paraview-dev python3-paraview"
 
 missing=""

@@ -2,7 +2,6 @@
 #include "vtkCGNSMeshWriter.h"
 
 #include "MeshView.h"
-#include "OutputFile.h"
 #include "PatchLabels.h"
 #include "ReplacedPath.h"
 
@@ -10,8 +9,11 @@
 
 #include <cgnslib.h>
 
+#include <cerrno>
+#include <fcntl.h>
 #include <limits>
 #include <stdexcept>
+#include <unistd.h>
 
 vtkStandardNewMacro(vtkCGNSMeshWriter);
 
@@ -207,8 +209,8 @@ private:
     }
     int condition = 0;
     check(cg_fambc_write(file_, base_, family, "FamBC", conditionFor(patch.type), &condition));
-    check(
-      cg_boco_write(file_, base_, zone_, label.c_str(), CGNS_ENUMV(FamilySpecified), CGNS_ENUMV(PointRange), 2, range, &condition));
+    check(cg_boco_write(file_, base_, zone_, label.c_str(), CGNS_ENUMV(FamilySpecified),
+      CGNS_ENUMV(PointRange), 2, range, &condition));
     check(cg_boco_gridlocation_write(file_, base_, zone_, condition, CGNS_ENUMV(FaceCenter)));
     check(cg_goto(file_, base_, "Zone_t", zone_, "ZoneBC_t", 1, "BC_t", condition, "end"));
     check(cg_famname_write(label.c_str()));
@@ -224,6 +226,39 @@ private:
   int zone_ = 0;
   bool open_ = false;
 };
+
+// More than the file takes.
+long long largestSize(const MeshView& mesh)
+{
+  constexpr long long forNodes = 1 << 14; // of the tree that a CGNS file is
+  long long size = (20 + 6 * static_cast<long long>(mesh.patches().size())) * forNodes;
+  size += mesh.numberOfPoints() * 3 * static_cast<long long>(sizeof(double));
+  constexpr std::array<int, 4> corners = { 4, 5, 6, 8 };
+  for (const CellKind kind : VolumeKinds)
+  {
+    size +=
+      mesh.numberOfCells(kind) * corners[static_cast<int>(kind)] * static_cast<long long>(sizeof(cgsize_t));
+  }
+  return size + mesh.numberOfFaces() * 6 * static_cast<long long>(sizeof(cgsize_t));
+}
+
+// Makes sure that a file of that size can be made: HDF5 does not survive a disk that turns out to be full (a file
+// that it could not close crashes the process when it ends). The system's number of the error, or 0.
+int reserve(const std::string& path, long long size)
+{
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    return errno;
+  }
+  int error = ::fallocate(file, 0, 0, size) < 0 ? errno : 0;
+  if (error == EOPNOTSUPP) // the file system cannot tell
+  {
+    error = 0;
+  }
+  ::close(file);
+  return error;
+}
 
 Outcome refuseUnheld(const MeshView& mesh)
 {
@@ -255,10 +290,9 @@ Outcome vtkCGNSMeshWriter::WriteMesh(const MeshView& mesh)
       return outcome;
     }
   }
-  OutputFile probe(path.temporary()); // the system says better than libcgns why a file cannot be made
-  if (!probe.close())
+  if (const int error = reserve(path.temporary(), largestSize(mesh)))
   {
-    return writingFailed(this->FileName, probe.error());
+    return writingFailed(this->FileName, error);
   }
   try
   {
@@ -266,8 +300,7 @@ Outcome vtkCGNSMeshWriter::WriteMesh(const MeshView& mesh)
   }
   catch (const std::runtime_error& error)
   {
-    return Outcome::badInput(
-      std::string(this->FileName) + ": could not be written: " + error.what() + "; is the disk full?");
+    return Outcome::badInput(std::string(this->FileName) + ": could not be written: " + error.what());
   }
   return path.commit();
 }
