@@ -2,9 +2,8 @@
 
 #include "PatchFieldData.h"
 
-#include "Geometry/Predicates.h"
 #include "Mesh/FaceMatching.h"
-#include "Mesh/TetMesh.h"
+#include "Mesh/Tidying.h"
 #include "Support/DataContract.h"
 
 #include "vtkCellArray.h"
@@ -61,31 +60,6 @@ Outcome checkGrid(vtkUnstructuredGrid* grid)
                              "1 and more on triangles)");
   }
   return Outcome::done();
-}
-
-// Swaps two corners of triangles that are turned inward; triangles off the boundary stay as they are.
-void turnOutward(MeshData& mesh)
-{
-  const FaceMatching matching = matchFaces(mesh);
-  for (std::size_t face = 0; face < matching.opposite.size(); ++face)
-  {
-    const Index other = matching.opposite[face];
-    if (other >= 0 || other == FaceMatching::Unmatched)
-    {
-      continue;
-    }
-    auto& triangle = mesh.triangles[boundaryFaceOf(other)];
-    const auto& tet = mesh.tetrahedra[face / 4];
-    const int* corner = FaceCorners[face % 4];
-    for (int i = 0; i < 3; ++i)
-    {
-      if (triangle[i] == tet[corner[0]] && triangle[(i + 1) % 3] == tet[corner[1]])
-      {
-        std::swap(triangle[1], triangle[2]);
-        break;
-      }
-    }
-  }
 }
 
 template <class Cell>
@@ -171,7 +145,7 @@ Outcome readMesh(vtkUnstructuredGrid* grid, MeshData& mesh, PatchTable& patches)
   if (std::all_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(), valid) &&
     std::all_of(mesh.triangles.begin(), mesh.triangles.end(), valid))
   {
-    turnOutward(mesh);
+    turnOutward(mesh, matchFaces(mesh));
   }
   patches = readPatches(grid->GetFieldData());
   completePatches(mesh, patches);

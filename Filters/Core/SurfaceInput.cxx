@@ -2,6 +2,7 @@
 
 #include "PatchFieldData.h"
 #include "PatchNaming.h"
+#include "PatchNumbering.h"
 #include "SurfacePieces.h"
 
 #include "Support/DataContract.h"
@@ -20,79 +21,6 @@ namespace ransmesh
 {
 namespace
 {
-// Where other tools leave patch numbers: gmsh (through its VTK writer and meshio), SimVascular, Medit,
-// SU2, FEniCS, VTK's readers of STL and OBJ.
-constexpr const char* ForeignArrays[] = { "CellEntityIds", "gmsh:physical", "ModelFaceID", "medit:ref",
-  "su2:tag", "cell_tags", "STLSolidLabeling", "GroupIds" };
-
-// The number of each cell, if the array is there and holds whole numbers.
-std::optional<std::vector<int>> numbersIn(vtkPolyData* surface, const char* name)
-{
-  vtkDataArray* array = surface->GetCellData()->GetArray(name);
-  if (!array || array->GetNumberOfComponents() != 1)
-  {
-    return std::nullopt;
-  }
-  std::vector<int> numbers;
-  numbers.reserve(array->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-  {
-    const double value = array->GetTuple1(i);
-    if (!(std::fabs(value) < std::numeric_limits<int>::max()) || value != std::floor(value))
-    {
-      return std::nullopt;
-    }
-    numbers.push_back(static_cast<int>(value));
-  }
-  return numbers;
-}
-
-// Gives patches their numbers in the mesh.
-class Numbering
-{
-public:
-  explicit Numbering(PatchTable& patches)
-    : patches_(patches)
-  {
-    patches_.assign(1, { "fluid", PatchType::Patch });
-  }
-
-  // The patch of that name; wanted > 0 is its number if that is free, else it gets the next one.
-  int patchNamed(const std::string& name, PatchType type, int wanted)
-  {
-    if (const auto known = numberOf_.find(name); known != numberOf_.end())
-    {
-      return known->second;
-    }
-    const bool free = wanted > 0 && wanted <= LargestKept &&
-      (wanted >= static_cast<int>(patches_.size()) || patches_[wanted].name.empty());
-    const int number = free ? wanted : static_cast<int>(patches_.size());
-    if (number >= static_cast<int>(patches_.size()))
-    {
-      patches_.resize(number + 1);
-    }
-    patches_[number] = { name, type };
-    numberOf_[name] = number;
-    return number;
-  }
-
-  void nameGaps()
-  {
-    for (std::size_t i = 1; i < patches_.size(); ++i)
-    {
-      if (patches_[i].name.empty())
-      {
-        patches_[i].name = "unused_" + std::to_string(i);
-      }
-    }
-  }
-
-private:
-  static constexpr int LargestKept = 100000; // the table has a row for each number
-  PatchTable& patches_;
-  std::map<std::string, int> numberOf_;
-};
-
 class PieceReader
 {
 public:
@@ -118,20 +46,15 @@ public:
     if (auto numbers = numbersIn(piece.data, contract::PatchId))
     {
       assign(*numbers, piece, true);
-      return;
     }
-    for (const char* array : ForeignArrays)
+    else if (auto foreign = foreignNumbersIn(piece.data))
     {
-      auto numbers = numbersIn(piece.data, array);
-      if (numbers &&
-        *std::min_element(numbers->begin(), numbers->end()) !=
-          *std::max_element(numbers->begin(), numbers->end()))
-      {
-        assign(*numbers, piece, false);
-        return;
-      }
+      assign(*foreign, piece, false);
     }
-    assignWhole(piece);
+    else
+    {
+      assignWhole(piece);
+    }
   }
 
   void finish() { numbering_.nameGaps(); }
@@ -215,7 +138,7 @@ private:
   }
 
   SurfaceInput& result_;
-  Numbering numbering_;
+  PatchNumbering numbering_;
   SurfaceMesh* target_ = nullptr;
   bool sheets_ = false;
   std::size_t pieces_ = 0;

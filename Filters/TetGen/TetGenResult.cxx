@@ -4,10 +4,10 @@
 #include "Mesh/FaceMatching.h"
 #include "Mesh/SpatialRenumbering.h"
 #include "Mesh/TetMesh.h"
+#include "Mesh/Tidying.h"
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 namespace ransmesh
 {
@@ -50,55 +50,6 @@ std::pair<Vector3, double> inscribedSphere(const MeshData& mesh, const std::arra
   return area > 0 ? std::pair{ (1 / area) * centre, volume / area } : std::pair{ centre, 0.0 };
 }
 
-void sortByPatch(MeshData& mesh)
-{
-  std::vector<Index> order(mesh.triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&](Index i, Index j) { return mesh.trianglePatch[i] < mesh.trianglePatch[j]; });
-  MeshData sorted;
-  for (const Index i : order)
-  {
-    sorted.triangles.push_back(mesh.triangles[i]);
-    sorted.trianglePatch.push_back(mesh.trianglePatch[i]);
-  }
-  mesh.triangles = std::move(sorted.triangles);
-  mesh.trianglePatch = std::move(sorted.trianglePatch);
-}
-
-void dropUnusedPoints(MeshData& mesh)
-{
-  std::vector<Index> number(mesh.points.size(), None);
-  for (const auto& tet : mesh.tetrahedra)
-  {
-    for (const Index v : tet)
-    {
-      number[v] = 0;
-    }
-  }
-  Index used = 0;
-  for (std::size_t v = 0; v < number.size(); ++v)
-  {
-    if (number[v] != None)
-    {
-      mesh.points[used] = mesh.points[v];
-      number[v] = used++;
-    }
-  }
-  mesh.points.resize(used);
-  const auto renumber = [&number](auto& cells)
-  {
-    for (auto& cell : cells)
-    {
-      for (Index& v : cell)
-      {
-        v = number[v];
-      }
-    }
-  };
-  renumber(mesh.tetrahedra);
-  renumber(mesh.triangles);
-}
 } // namespace
 
 std::vector<Vector3> findHoles(const worker::Result& result)

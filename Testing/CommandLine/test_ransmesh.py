@@ -227,6 +227,22 @@ class Options(CommandLineTest):
         self.assertEqual(patches["farfield"], "farfield")
         self.assertEqual(patches["ground"], "wall")
 
+    def test_meshes_that_are_there_already(self):
+        points, triangles = surfaces.sphere()
+        ball = self.file("ball.obj", surfaces.obj_text(points, {"ball": triangles}))
+        patches = self.patches_of(ball, "--far-field", "3", "--isotropic-only")
+        for name in ("there.vtu", "there.msh"):
+            there = self.path(name)
+            self.assertEqual(self.run_it(ball, "--far-field", "3", "--isotropic-only", "-o", there).returncode, 0)
+            self.assertEqual(self.patches_of(there, *LAYERS), patches)
+        for wrong in (["--far-field", "3"], ["--surface-size", "1"]):
+            done = self.run_it(there, "-o", self.mesh, *LAYERS, *wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("is a mesh already", done.stderr)
+        done = self.run_it(self.file("bad.msh", "words"), "-o", self.mesh, *LAYERS)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("bad.msh is no mesh of gmsh", done.stderr)
+
     def test_surfaces_are_remeshed(self):
         kept = self.cells("--isotropic-only")
         self.assertGreater(self.cells("--isotropic-only", "--surface-size", "0.03"), 2 * kept)

@@ -2,6 +2,7 @@
 
 #include <vtkDirectionalEnrichment.h>
 #include <vtkIsotropicTetMesher.h>
+#include <vtkMeshAdoption.h>
 #include <vtkMeshQualityReport.h>
 #include <vtkPolyData.h>
 #include <vtkPrismRecombination.h>
@@ -13,18 +14,18 @@
 
 namespace commandline
 {
-Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
+Chain::Chain(const Options& options, vtkDataObject* input, vtkPolyData* sheets)
   : options_(options)
 {
   progress_->setQuiet(options.quiet);
-  wrap_->SetInputData(surface);
   if (options.repair.wrapAlpha > 0)
   {
+    wrap_->SetInputDataObject(0, input);
     mesher_->SetInputConnection(wrap_->GetOutputPort());
   }
   else
   {
-    mesher_->SetInputData(surface);
+    isotropicMesh()->SetInputDataObject(0, input);
   }
   if (sheets)
   {
@@ -33,16 +34,16 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
   describeSurfaces();
   describeRepair();
   describeDomain();
-  removal_->SetInputConnection(mesher_->GetOutputPort());
+  removal_->SetInputConnection(isotropicMesh()->GetOutputPort());
   describeLayers(removal_.Get());
   // The enrichment takes the layers that the removal made room for: they travel with the mesh.
   enrichment_->SetInputConnection(removal_->GetOutputPort());
   // Each mesh goes when the next one is made: that halves the memory.
-  mesher_->ReleaseDataFlagOn();
+  isotropicMesh()->ReleaseDataFlagOn();
   removal_->ReleaseDataFlagOn();
   if (options.isotropicOnly)
   {
-    report_->SetInputConnection(mesher_->GetOutputPort());
+    report_->SetInputConnection(isotropicMesh()->GetOutputPort());
     return;
   }
   recombination_->SetInputConnection(enrichment_->GetOutputPort());
@@ -52,6 +53,11 @@ Chain::Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets)
 }
 
 Chain::~Chain() = default;
+
+vtkAlgorithm* Chain::isotropicMesh() const
+{
+  return options_.isMesh() ? adoption_.Get() : static_cast<vtkAlgorithm*>(mesher_.Get());
+}
 
 void Chain::describeSurfaces()
 {
@@ -169,7 +175,7 @@ void Chain::run()
   {
     runStage("wrapping", wrap_);
   }
-  runStage("isotropic mesh", mesher_);
+  runStage("isotropic mesh", isotropicMesh());
   if (!options_.isotropicOnly)
   {
     runStage("removal of points", removal_);

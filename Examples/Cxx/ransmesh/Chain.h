@@ -12,8 +12,10 @@
 #include <string>
 #include <vector>
 
+class vtkDataObject;
 class vtkDirectionalEnrichment;
 class vtkIsotropicTetMesher;
+class vtkMeshAdoption;
 class vtkMeshQualityReport;
 class vtkPolyData;
 class vtkPrismRecombination;
@@ -39,8 +41,8 @@ struct StageTime
 class Chain
 {
 public:
-  // sheets: inside the domain; may be null.
-  Chain(const Options& options, vtkPolyData* surface, vtkPolyData* sheets);
+  // input: surfaces, or a mesh if the options say so. sheets: inside the domain; may be null.
+  Chain(const Options& options, vtkDataObject* input, vtkPolyData* sheets);
   ~Chain();
 
   // Throws MeshingError.
@@ -56,6 +58,7 @@ public:
   const std::vector<std::string>& warnings() const { return messages_->warnings(); }
 
 private:
+  vtkAlgorithm* isotropicMesh() const;
   void describeSurfaces();
   void describeRepair();
   void describeDomain();
@@ -67,6 +70,7 @@ private:
   const Options& options_;
   vtkNew<vtkSurfaceWrap> wrap_;
   vtkNew<vtkIsotropicTetMesher> mesher_;
+  vtkNew<vtkMeshAdoption> adoption_; // in the mesher's place
   vtkNew<vtkRANSPointRemoval> removal_;
   vtkNew<vtkDirectionalEnrichment> enrichment_;
   vtkNew<vtkPrismRecombination> recombination_;

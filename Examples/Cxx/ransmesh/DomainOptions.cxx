@@ -54,6 +54,13 @@ void setFarField(Options& options, double margin, bool sphere)
 
 void check(const Options& options)
 {
+  const bool isShaped = options.farField > 0 || options.size > 0 || options.symmetry.axis > 0 ||
+    options.waterline.axis > 0 || options.ground.axis > 0;
+  if (options.isMesh() && isShaped)
+  {
+    throw UsageError(
+      "options for the domain have no meaning: " + options.surfaces.front() + " is a mesh already");
+  }
   if (!options.sides.empty() && (options.farField == 0 || options.sphere))
   {
     throw UsageError("--side names the sides of the box that --far-field makes: give that, too");

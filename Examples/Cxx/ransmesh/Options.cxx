@@ -1,6 +1,7 @@
 #include "Options.h"
 
 #include "Arguments.h"
+#include "MeshInput.h"
 
 namespace commandline
 {
@@ -24,6 +25,11 @@ const Reader& readerOf(const std::string& name)
   throw UsageError("there is no option " + name);
 }
 } // namespace
+
+bool Options::isMesh() const
+{
+  return !surfaces.empty() && isMeshFile(surfaces.front());
+}
 
 Options parseOptions(const std::vector<std::string>& words)
 {
@@ -57,7 +63,8 @@ Meshes the space that triangulated surfaces bound, with stretched layers on visc
 Lengths are in the unit of the surfaces.
 
   SURFACE...            .stl .obj .ply .vtp, also gzipped; STL solids and OBJ groups are patches;
-                        several files are several patches, named by file
+                        several files are several patches, named by file;
+                        or one mesh of tetrahedra, .msh (gmsh) .vtu .vtk .cgns, which gets layers as it is
   -o MESH               the mesh, for whom its name's end says: .vtu ParaView and VTK; .su2 SU2; .cgns CGNS;
                         .msh gmsh 2.2; .b8.ugrid, .lb8.ugrid, .ugrid FUN3D and AFLR3, with .mapbc;
                         a folder named polyMesh, or CASE.foam beside the folder constant, OpenFOAM

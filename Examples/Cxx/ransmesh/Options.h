@@ -50,8 +50,8 @@ struct SideOption
 
 struct Options
 {
-  std::vector<std::string> surfaces;
-  std::vector<std::string> wakes; // files of sheets
+  std::vector<std::string> surfaces; // or one mesh
+  std::vector<std::string> wakes;    // files of sheets
   std::string output;
   bool leaveOutSheets = false; // where the output cannot hold them
   std::string report;          // empty: none
@@ -80,6 +80,9 @@ struct Options
   bool quiet = false;
   bool help = false;
   bool version = false;
+
+  // Whether the chain begins with a mesh from another program.
+  bool isMesh() const;
 };
 
 // Wrong usage: what() says what is wrong and what to write instead.

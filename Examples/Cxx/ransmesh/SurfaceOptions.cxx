@@ -6,22 +6,41 @@ namespace commandline
 {
 namespace
 {
+void checkSurfaces(const std::vector<std::string>& files)
+{
+  for (const std::string& file : files)
+  {
+    if (!surfaces::isSurfaceFile(file))
+    {
+      throw UsageError(file +
+        ": surfaces are read from .stl, .obj, .ply and .vtp files, also gzipped; meshes "
+        "from .msh, .vtu, .vtk and .cgns files");
+    }
+  }
+}
+
+// A mesh that is there already takes nothing that shapes one.
+void checkMesh(const Options& options)
+{
+  if (options.surfaces.size() > 1)
+  {
+    throw UsageError(options.surfaces.front() + " is a mesh: give it alone");
+  }
+  if (!options.wakes.empty() || options.surfaceSize > 0 || options.swapAngle >= 0)
+  {
+    throw UsageError(
+      "options for surfaces have no meaning: " + options.surfaces.front() + " is a mesh already");
+  }
+}
+
 void check(const Options& options)
 {
   if (options.surfaces.empty())
   {
     throw UsageError("no surface file is given");
   }
-  for (const auto* files : { &options.surfaces, &options.wakes })
-  {
-    for (const std::string& file : *files)
-    {
-      if (!surfaces::isSurfaceFile(file))
-      {
-        throw UsageError(file + ": surfaces are read from .stl, .obj, .ply and .vtp files, also gzipped");
-      }
-    }
-  }
+  checkSurfaces(options.wakes);
+  options.isMesh() ? checkMesh(options) : checkSurfaces(options.surfaces);
 }
 } // namespace
 

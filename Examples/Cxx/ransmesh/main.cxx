@@ -2,6 +2,7 @@
 // Exit status: 0 a valid mesh was written; 1 the input cannot be meshed; 2 wrong usage.
 #include "Chain.h"
 #include "MeshFile.h"
+#include "MeshInput.h"
 #include "Options.h"
 #include "ReportFile.h"
 #include "SurfaceReader.h"
@@ -103,13 +104,15 @@ int mesh(const Options& options)
   std::string error;
   try
   {
-    const auto surface = surfaces::readSurfaces(options.surfaces);
+    const vtkSmartPointer<vtkDataObject> input = options.isMesh()
+      ? readMesh(options.surfaces.front())
+      : vtkSmartPointer<vtkDataObject>(surfaces::readSurfaces(options.surfaces));
     vtkSmartPointer<vtkPolyData> sheets;
     if (!options.wakes.empty())
     {
       sheets = surfaces::readSurfaces(options.wakes);
     }
-    chain = std::make_unique<Chain>(options, surface, sheets);
+    chain = std::make_unique<Chain>(options, input, sheets);
     printFlow(options, *chain->layers());
     chain->run();
     printWarnings(options, *chain);

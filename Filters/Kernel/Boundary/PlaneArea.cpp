@@ -217,6 +217,7 @@ private:
       }
     }
     std::vector<Vector3> places;
+    places.reserve(largest.size());
     for (const auto& [part, best] : largest)
     {
       places.push_back(best.second);

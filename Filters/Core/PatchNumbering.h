@@ -1,0 +1,43 @@
+// Numbers of patches: those that arrays tell, and those that a mesh gets.
+#ifndef PatchNumbering_h
+#define PatchNumbering_h
+
+#include "Boundary/Patch.h"
+
+#include "RANSMeshingCoreModule.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+namespace ransmesh
+{
+// The number of each cell, if the cell array is there and holds whole numbers.
+RANSMESHINGCORE_EXPORT std::optional<std::vector<int>> numbersIn(vtkDataSet* data, const char* name);
+
+// The same by an array that another tool has left, if it tells several numbers apart.
+RANSMESHINGCORE_EXPORT std::optional<std::vector<int>> foreignNumbersIn(vtkDataSet* data);
+
+// Gives patches their numbers in the mesh.
+class RANSMESHINGCORE_EXPORT PatchNumbering
+{
+public:
+  explicit PatchNumbering(PatchTable& patches);
+
+  // The patch of that name; wanted > 0 is its number if that is free, else it gets the next one.
+  int patchNamed(const std::string& name, PatchType type, int wanted);
+
+  // Names the numbers that no patch took.
+  void nameGaps();
+
+private:
+  static constexpr int LargestKept = 100000; // the table has a row for each number
+  PatchTable& patches_;
+  std::map<std::string, int> numberOf_;
+};
+} // namespace ransmesh
+
+#endif

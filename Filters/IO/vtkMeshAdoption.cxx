@@ -1,0 +1,102 @@
+#include "vtkMeshAdoption.h"
+
+#include "ForeignMesh.h"
+
+#include "MeshConversion.h"
+#include "PatchNaming.h"
+
+#include "Boundary/MeshAdoption.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkMeshAdoption);
+
+struct vtkMeshAdoption::Internals
+{
+  std::vector<std::pair<std::string, std::string>> TypeOfPattern;
+};
+
+//------------------------------------------------------------------------------
+vtkMeshAdoption::vtkMeshAdoption()
+  : Lists(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkMeshAdoption::~vtkMeshAdoption() = default;
+
+//------------------------------------------------------------------------------
+void vtkMeshAdoption::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Patch types set: " << this->Lists->TypeOfPattern.size() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshAdoption::SetPatchType(const char* pattern, const char* typeName)
+{
+  if (pattern && typeName)
+  {
+    this->Lists->TypeOfPattern.emplace_back(pattern, typeName);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshAdoption::ClearPatchTypes()
+{
+  this->Lists->TypeOfPattern.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshAdoption::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshAdoption::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!(this->FeatureAngle >= 0 && this->FeatureAngle <= 180))
+  {
+    vtkErrorMacro("FeatureAngle is " << this->FeatureAngle << "; it must lie between 0 and 180.");
+    return 0;
+  }
+  std::vector<vtkDataObject*> inputs;
+  for (int i = 0; i < inputVector[0]->GetNumberOfInformationObjects(); ++i)
+  {
+    inputs.push_back(vtkDataObject::GetData(inputVector[0], i));
+  }
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  std::vector<std::string> remarks;
+  ransmesh::Outcome outcome = ransmesh::readForeignMesh(inputs, mesh, patches, remarks);
+  outcome = outcome.ok() ? ransmesh::adoptMesh(mesh, patches, this->FeatureAngle, remarks) : outcome;
+  outcome = outcome.ok() ? ransmesh::setTypes(this->Lists->TypeOfPattern, patches) : outcome;
+  if (!outcome.ok())
+  {
+    vtkErrorMacro(<< "Cannot use the mesh: " << outcome.message << ".");
+    return 0;
+  }
+  for (const std::string& remark : remarks)
+  {
+    vtkWarningMacro("Mesh adopted: " << remark << ".");
+  }
+  ransmesh::writeMesh(mesh, patches, vtkUnstructuredGrid::GetData(outputVector));
+  return 1;
+}
