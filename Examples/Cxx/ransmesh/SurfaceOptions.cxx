@@ -26,7 +26,8 @@ void checkMesh(const Options& options)
   {
     throw UsageError(options.surfaces.front() + " is a mesh: give it alone");
   }
-  if (!options.wakes.empty() || options.surfaceSize > 0 || options.swapAngle >= 0)
+  if (!options.wakes.empty() || options.surfaceSize > 0 || options.swapAngle >= 0 ||
+    options.repair.wrapAlpha > 0)
   {
     throw UsageError(
       "options for surfaces have no meaning: " + options.surfaces.front() + " is a mesh already");
