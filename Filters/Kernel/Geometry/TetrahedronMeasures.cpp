@@ -61,14 +61,25 @@ double largestDoubleArea(const std::array<Vector3, 4>& p)
     std::max(norm(cross(p[2] - p[0], p[3] - p[0])), norm(cross(p[2] - p[1], p[3] - p[1])));
   return std::max(first, second);
 }
-// One plus the cosine of any angle of a tetrahedron of this quality is at least so much. Of all tetrahedra with an
-// angle t at one edge, the best is symmetric: twice the sine of t over the root of two times one plus the square
-// of the sine of t/2. Solved for the cosine.
-double leastByQuality(double quality)
+
+// Is one plus the cosine of the angle between every two of the faces with these normals above the limit, which must
+// be below one? Without roots.
+bool allAnglesAbove(const std::array<Vector3, 4>& normal, double limit)
 {
-  constexpr double safe = 0.999; // for rounding
-  const double square = std::min(quality * quality, 1.0);
-  return safe * 4 * (square + 2 - 2 * std::sqrt(1 - square)) / (square + 8);
+  std::array<double, 4> square;
+  for (int i = 0; i < 4; ++i)
+  {
+    square[i] = dot(normal[i], normal[i]);
+  }
+  constexpr double safe = 1 - 1e-12; // for rounding
+  const double most = safe * (1 - limit) * (1 - limit);
+  bool above = true;
+  for (const auto& faces : EdgeCorners)
+  {
+    const double product = dot(normal[faces[0]], normal[faces[1]]);
+    above &= product < 0 || product * product < most * square[faces[0]] * square[faces[1]];
+  }
+  return above;
 }
 } // namespace
 
@@ -128,15 +139,24 @@ double angleQuality(
   {
     return plain;
   }
-  // Most tetrahedra are so good that none of their angles can matter.
-  if (const double least = std::min(plain, leastByQuality(plain)); least > range.ceiling)
+  // One plus the cosine of a tetrahedron's largest angle is at least the square of its quality: of all with such an
+  // angle t, the best is the symmetric one, of quality root of two sin t / (1 + sin^2 t/2).
+  if (plain * plain > range.ceiling)
   {
-    return least;
+    return plain * plain;
   }
   // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
   // ask for nothing else, and spent half of their time there.
-  const std::array<Vector3, 4> outward = { normalized(cross(c - b, d - b)), normalized(cross(d - a, c - a)),
-    normalized(cross(b - a, d - a)), normalized(cross(c - a, b - a)) };
+  std::array<Vector3, 4> outward = { cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
+    cross(c - a, b - a) };
+  if (plain > range.ceiling && allAnglesAbove(outward, range.ceiling))
+  {
+    return plain;
+  }
+  for (Vector3& normal : outward)
+  {
+    normal = normalized(normal);
+  }
   double alike = -1;
   for (const auto& faces : EdgeCorners)
   {

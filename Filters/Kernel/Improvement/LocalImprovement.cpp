@@ -23,6 +23,21 @@ double LocalImprovement::worstOf(std::span<const Index> tets)
   return worst;
 }
 
+// The same; puts the one of that shape first.
+double LocalImprovement::worstFirst(std::vector<Index>& tets)
+{
+  double worst = std::numeric_limits<double>::infinity();
+  for (Index& t : tets)
+  {
+    if (const double shape = shapeOf(t, worst); shape < worst)
+    {
+      worst = shape;
+      std::swap(t, tets.front());
+    }
+  }
+  return worst;
+}
+
 double LocalImprovement::shapeOf(Index tet, double ceiling)
 {
   return shapes_.of(tet, ceiling, [&] { return shapeOf(mesh_.tet(tet).vertex, { 0, ceiling }); });
@@ -201,7 +216,8 @@ bool LocalImprovement::move(Index v, double keep)
     return false;
   }
   traversal_.ball(v, tets_);
-  return moveOnto(v, meanNeighbour(v), keep * worstOf(tets_));
+  const Vector3 place = meanNeighbour(v);
+  return moveOnto(v, place, keep * worstFirst(tets_));
 }
 
 bool LocalImprovement::moveTowards(Index v, const Vector3& place, double floor)
@@ -211,7 +227,7 @@ bool LocalImprovement::moveTowards(Index v, const Vector3& place, double floor)
     return false;
   }
   traversal_.ball(v, tets_);
-  return moveOnto(v, place, std::min(floor, 0.999 * worstOf(tets_)));
+  return moveOnto(v, place, std::min(floor, 0.999 * worstFirst(tets_)));
 }
 
 // Moves v, whose ball is in tets_, as far towards the place as leaves all qualities above wanted.

@@ -67,6 +67,7 @@ private:
     return measure_(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]), range);
   }
   double worstOf(std::span<const Index> tets);
+  double worstFirst(std::vector<Index>& tets);
   void forgetShapes(std::span<const Index> tets);
   Vector3 meanNeighbour(Index v) const;
   bool moveOnto(Index v, const Vector3& place, double wanted);

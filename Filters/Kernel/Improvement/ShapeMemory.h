@@ -21,7 +21,7 @@ public:
   {
     Entry& entry = placeOf(tet);
     const bool isKnown = entry.tet == tet && entry.era == era_;
-    if (!isKnown || !(entry.shape <= entry.exactUpTo || entry.shape > ceiling))
+    if (!isKnown || !(entry.shape <= entry.exactUpTo || ceiling <= entry.exactUpTo))
     {
       entry = { tet, era_, compute(), ceiling };
     }

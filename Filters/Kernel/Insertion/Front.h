@@ -10,6 +10,7 @@
 #include "Layers/Column.h"
 #include "Mesh/TetMesh.h"
 
+#include <span>
 #include <vector>
 
 namespace ransmesh
@@ -30,6 +31,11 @@ public:
   // The same for one face, all tops where they are.
   bool slabIsPositive(const BaseFace& face) const;
   const std::vector<BaseFace>& faces() const { return faces_; }
+  // The numbers in faces() of those at a column.
+  std::span<const Index> facesAt(Index column) const
+  {
+    return { facesAt_.data() + start_[column], facesAt_.data() + start_[column + 1] };
+  }
 
 private:
   bool slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const;

@@ -3,6 +3,8 @@
 
 #include "Insertion/Front.h"
 #include "Insertion/SideTurns.h"
+#include "Mesh/Traversal.h"
+#include "Support/WorkRounds.h"
 
 #include <span>
 #include <vector>
@@ -17,6 +19,7 @@ public:
     , set_(set)
     , turns_(turns)
     , front_(front)
+    , traversal_(mesh)
   {
   }
 
@@ -27,29 +30,33 @@ public:
 
 private:
   void place(const std::vector<double>& target);
-  std::vector<Index> tetsAtMovedTops() const;
+  void collectWork();
+  void collectTets();
+  void collectSideFaces();
   bool takeBackAtFoldedFaces();
-  std::vector<Index> sideFacesAtMovedTops() const;
-  bool takeBackAtTurnedFaces(const std::vector<Index>& sideFaces);
+  bool takeBackAtSpoiledTets();
+  bool takeBackAtTurnedFaces();
   bool isTurned(Index sideFace) const;
-  bool takeBackAtSpoiledTets(const std::vector<Index>& tets);
   bool isSpoiled(const std::array<Index, 4>& vertices) const;
+  void takeBackAll(std::span<const Index> vertices);
   void takeBack(Index vertex);
   Vector3 before(Index vertex) const;
 
   bool hasMoved(Index vertex) const { return moved_[vertex] != 0; }
-  // Is there a vertex that has moved, and one whose place has changed since the last look at these?
-  bool isConcerned(std::span<const Index> vertices) const;
+  bool anyHasMoved(std::span<const Index> vertices) const;
 
   TetMesh& mesh_;
   const ColumnSet& set_;
   const SideTurns& turns_;
   Front& front_;
-  // By vertex, not by column: they stay in the cache while all tetrahedra pass by.
-  std::vector<char> moved_;
-  std::vector<int> lastChange_; // the round in which the vertex was taken back; 0 if it moved, Never
-  int round_ = 0;               // from 1
-  static constexpr int Never = -1;
+  Traversal traversal_;
+  std::vector<char> moved_; // by vertex, not by column: they stay in the cache while all tetrahedra pass by
+  std::vector<Index> movedColumns_;
+  // What may not stand with the tops where they are.
+  WorkRounds faces_;
+  WorkRounds tets_;
+  WorkRounds sideFaces_;
+  std::vector<Index> ball_;
   // By column.
   std::vector<double> oldShare_;
   std::vector<Vector3> oldPosition_;

@@ -4,7 +4,7 @@ namespace ransmesh
 {
 void Traversal::ball(Index v, std::vector<Index>& out)
 {
-  seen_.clear(mesh_.tetSlots());
+  seen_.clear();
   out.assign(1, mesh_.tetAt(v));
   seen_.set(out.front());
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -23,7 +23,7 @@ void Traversal::ball(Index v, std::vector<Index>& out)
 
 void Traversal::ring(Index first, Index a, Index b, std::vector<Index>& out)
 {
-  seen_.clear(mesh_.tetSlots());
+  seen_.clear();
   out.assign(1, first);
   seen_.set(first);
   for (std::size_t i = 0; i < out.size(); ++i)

@@ -1,7 +1,7 @@
 // Walks over a mesh: the ball of a vertex, the ring of an edge.
 #pragma once
 
-#include "Mesh/Marks.h"
+#include "Mesh/LocalMarks.h"
 #include "Mesh/TetMesh.h"
 
 #include <vector>
@@ -24,6 +24,6 @@ public:
 
 private:
   const TetMesh& mesh_;
-  Marks seen_;
+  LocalMarks seen_;
 };
 } // namespace ransmesh

@@ -56,7 +56,7 @@ TEST_F(ShapeMemoryTest, whatWasAboveTheCeilingIsAskedForAgainAboveIt)
   asks(0, 0.2, 0.3);
   EXPECT_FALSE(asks(0, 0.2, 0.8)); // above it still
   EXPECT_FALSE(asks(0, 0.1, 0.8));
-  EXPECT_TRUE(asks(0, 0.5, 0.8)); // 0.3 said only: above 0.2
+  EXPECT_TRUE(asks(0, 0.25, 0.8)); // 0.3 said only: above 0.2
   EXPECT_EQ(given_, 0.8);
   asks(1, 0.2, 0.15);
   EXPECT_FALSE(asks(1, 0.5, 0.8)); // below the ceiling it was exact
