@@ -85,27 +85,38 @@ void splitPatches(const MesherSettings& settings, SurfaceInput& input)
   }
 }
 
+void remarkRemeshing(const RemeshingReport& made, MesherReport& report)
+{
+  std::ostringstream text;
+  text << "Remeshed: " << made.trianglesBefore << " surface triangles became " << made.trianglesAfter
+       << ", which lie within " << made.largestDeviation << " of the given surface, most at ("
+       << made.deviationPlace.x << ", " << made.deviationPlace.y << ", " << made.deviationPlace.z
+       << "); their smallest angle is " << made.smallestAngle << " degrees, above " << made.lowAngle
+       << " for 99 % of them.";
+  report.remark(text.str());
+}
+
 Outcome remesh(
   const MesherSettings& settings, const Planes& planes, SurfaceInput& input, MesherReport& report)
 {
-  if (settings.surfaceEdgeLength == 0)
+  if (!settings.remeshing.isWanted())
   {
     return Outcome::done();
   }
-  Outcome outcome = remeshSurface(input.surface, settings.surfaceEdgeLength, settings.featureAngle);
-  if (!outcome.ok())
+  RemeshingReport made;
+  if (Outcome outcome = remeshSurface(input.surface, settings.remeshing, made); !outcome.ok())
   {
     return outcome;
   }
   snapToPlanes(input.surface, planes);
-  outcome = checkSurface(settings, planes, input, report);
+  Outcome outcome = checkSurface(settings, planes, input, report);
   if (!outcome.ok())
   {
-    std::ostringstream text;
-    text << outcome.message << ". Remeshing to edges of " << settings.surfaceEdgeLength
-         << " spoiled the surface: details of it are smaller. Choose a smaller SurfaceEdgeLength";
-    outcome.message = text.str();
+    outcome.message += ". Remeshing spoiled the surface: details of it are smaller than the new edges. "
+                       "Choose a smaller SurfaceEdgeLength";
+    return outcome;
   }
+  remarkRemeshing(made, report);
   return outcome;
 }
 

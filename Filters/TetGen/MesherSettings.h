@@ -3,6 +3,7 @@
 
 #include "DomainMeshing.h"
 
+#include "Boundary/SurfaceRemeshing.h"
 #include "Surface/Preparation.h"
 
 #include <optional>
@@ -16,8 +17,8 @@ struct MesherSettings
 {
   PreparationOptions preparation; // check and repair of the surface
   bool patchFromFeatureAngle = false;
-  double featureAngle = 30;     // degrees
-  double surfaceEdgeLength = 0; // 0: the surface triangles are kept
+  double featureAngle = 30; // degrees
+  RemeshingOptions remeshing;
   bool improveTriangles = true;
   double surfaceAngle = 10; // degrees, how far swaps may turn the surface
   std::optional<FarFieldOptions> farField;

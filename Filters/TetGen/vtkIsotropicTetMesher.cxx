@@ -294,7 +294,8 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.preparation.repairs = { this->WeldTolerance, this->ShortestEdge, this->LargestHole };
   settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
   settings.featureAngle = this->FeatureAngle;
-  settings.surfaceEdgeLength = this->SurfaceEdgeLength;
+  settings.remeshing.length = this->SurfaceEdgeLength;
+  settings.remeshing.featureAngle = this->FeatureAngle;
   settings.improveTriangles = this->ImproveSurfaceTriangles;
   settings.surfaceAngle = this->MaximumSurfaceAngle;
   this->DescribeDomain(settings);

@@ -1,112 +1,406 @@
 #include "Boundary/SurfaceRemeshing.h"
 
-#include "Boundary/SurfaceEdges.h"
+#include "Boundary/RemeshGuard.h"
+#include "Boundary/RemeshSizes.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/detect_features.h>
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <array>
+#include <algorithm>
+#include <queue>
+#include <tuple>
 
 namespace ransmesh
 {
 namespace
 {
-namespace Processing = CGAL::Polygon_mesh_processing;
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using PatchOfFace = Mesh::Property_map<Mesh::Face_index, int>;
+constexpr int Rounds = 8;
+constexpr int MovementsInRound = 2;
+constexpr std::size_t MostTriangles = 20'000'000;
+// Edges outside of these parts of the wanted length are collapsed and split: half and twice would be the
+// least that does not go round in circles.
+constexpr double ShortEdge = 0.8;
+constexpr double LongEdge = 1.35;
+// Triangles with a smaller angle (degrees) lose their shortest edge at the end, where that betters them.
+constexpr double NarrowAngle = 25;
+constexpr double NarrowLongEdge = 2;
+constexpr double LittleLonger = 1.1;
+constexpr double LeastGain = 1e-3; // degrees, of the smallest angle by a swap
+constexpr double NearShare = 0.25; // of an edge: farther points of the given surface are not what was divided
 
-bool isManifold(const SurfaceMesh& surface, Vector3& fault)
+double smallestAngle(const SurfaceMesh& surface, const Corners& t)
 {
-  bool manifold = true;
-  forEachEdge(sortedEdges(surface),
-    [&](const SurfaceEdge* first, const SurfaceEdge* last)
+  return std::min({ angleAt(surface, t, 0), angleAt(surface, t, 1), angleAt(surface, t, 2) });
+}
+
+class Remeshing
+{
+public:
+  Remeshing(const SurfaceMesh& given, const RemeshingOptions& options, const Context& context)
+    : surface_(given, options.featureAngle, keptPoints(given, options.keptPatches))
+    , options_(options)
+    , context_(context)
+    , reference_(surface_)
+    , field_(reference_, options_)
+    , guard_(surface_, reference_)
+  {
+  }
+
+  Outcome run()
+  {
+    for (int round = 0; round < Rounds; ++round)
     {
-      if (last - first != 2 && manifold)
+      context_.report(static_cast<double>(round) / Rounds, "remeshing the surface");
+      if (context_.stopped())
       {
-        manifold = false;
-        fault = surface.points[first->a];
+        return Outcome::cancelled();
       }
-    });
-  return manifold;
-}
-
-PatchOfFace toCgal(const SurfaceMesh& surface, Mesh& mesh)
-{
-  std::vector<Kernel::Point_3> points;
-  points.reserve(surface.points.size());
-  for (const Vector3& p : surface.points)
-  {
-    points.emplace_back(p.x, p.y, p.z);
-  }
-  std::vector<std::vector<std::size_t>> triangles;
-  triangles.reserve(surface.triangles.size());
-  for (const auto& t : surface.triangles)
-  {
-    triangles.push_back(
-      { static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]), static_cast<std::size_t>(t[2]) });
-  }
-  Processing::orient_polygon_soup(points, triangles);
-  Processing::polygon_soup_to_polygon_mesh(points, triangles, mesh);
-  PatchOfFace patch = mesh.add_property_map<Mesh::Face_index, int>("f:patch", 0).first;
-  std::size_t t = 0; // faces follow the order of the triangles
-  for (const auto face : mesh.faces())
-  {
-    patch[face] = surface.patch[t++];
-  }
-  return patch;
-}
-
-SurfaceMesh fromCgal(const Mesh& mesh, const PatchOfFace& patch)
-{
-  SurfaceMesh surface;
-  for (const auto v : mesh.vertices())
-  {
-    const Kernel::Point_3& p = mesh.point(v);
-    surface.points.push_back({ p.x(), p.y(), p.z() });
-  }
-  for (const auto face : mesh.faces())
-  {
-    std::array<Index, 3> corners{};
-    auto side = mesh.halfedge(face);
-    for (Index& corner : corners)
-    {
-      corner = static_cast<Index>(std::size_t(mesh.target(side)));
-      side = mesh.next(side);
+      sizes_ = field_.at(surface_);
+      if (trianglesToCome() > MostTriangles)
+      {
+        return Outcome::badInput("the surface edges that are asked for make more than 20 million triangles; "
+                                 "ask for longer ones");
+      }
+      collapseShortEdges();
+      splitLongEdges();
+      collapseShortEdges();
+      swapDiagonals();
+      for (int i = 0; i < MovementsInRound; ++i)
+      {
+        movePoints();
+        swapDiagonals();
+      }
     }
-    surface.triangles.push_back(corners);
-    surface.patch.push_back(patch[face]);
+    for (int i = 0; i < 2; ++i)
+    {
+      collapseNarrowTriangles();
+      swapDiagonals();
+      movePoints();
+    }
+    return Outcome::done();
   }
-  return surface;
-}
+
+  SurfaceMesh result() const { return surface_.result(); }
+
+  void report(RemeshingReport& report) const
+  {
+    const SurfaceMesh made = result();
+    report.trianglesBefore = reference_.surface().triangles.size();
+    report.trianglesAfter = made.triangles.size();
+    measureAngles(made, report);
+    const SurfaceReference back(EditableSurface(made, options_.featureAngle));
+    const SurfaceDeviation there = deviationFrom(reference_, made);
+    const SurfaceDeviation here = deviationFrom(back, reference_.surface());
+    report.largestDeviation = std::max(there.largest, here.largest);
+    report.deviationPlace = there.largest > here.largest ? there.place : here.place;
+    report.meanDeviation = std::max(there.mean, here.mean);
+  }
+
+private:
+  // An edge by its need, the greatest first; a < b.
+  using Entry = std::tuple<double, Index, Index>;
+  using Queue = std::priority_queue<Entry>;
+
+  static std::vector<char> keptPoints(const SurfaceMesh& given, const std::vector<char>& patches)
+  {
+    std::vector<char> keep(given.points.size(), 0);
+    for (std::size_t t = 0; t < given.triangles.size(); ++t)
+    {
+      const auto patch = static_cast<std::size_t>(given.patch[t]);
+      for (const Index v : given.triangles[t])
+      {
+        keep[v] = keep[v] || (patch < patches.size() && patches[patch]);
+      }
+    }
+    return keep;
+  }
+
+  static void measureAngles(const SurfaceMesh& made, RemeshingReport& report)
+  {
+    std::vector<double> angles;
+    angles.reserve(made.triangles.size());
+    for (const Corners& t : made.triangles)
+    {
+      angles.push_back(smallestAngle(made, t));
+    }
+    if (!angles.empty())
+    {
+      const auto low = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 100);
+      std::nth_element(angles.begin(), low, angles.end());
+      report.lowAngle = *low;
+      report.smallestAngle = *std::min_element(angles.begin(), low + 1);
+    }
+  }
+
+  double lengthOf(Index a, Index b) const { return distance(surface_.point(a), surface_.point(b)); }
+  double wantedAt(Index a, Index b) const { return 0.5 * (sizes_[a] + sizes_[b]); }
+  double ratio(Index a, Index b) const { return lengthOf(a, b) / wantedAt(a, b); }
+  double toleranceAt(Index a, Index b) const
+  {
+    return options_.deviation > 0 ? options_.deviation : DeviationShare * wantedAt(a, b);
+  }
+
+  std::size_t trianglesToCome() const
+  {
+    double count = 0;
+    for (std::size_t i = 0; i < surface_.triangleCount(); ++i)
+    {
+      if (surface_.isAlive(static_cast<Index>(i)))
+      {
+        const Corners& t = surface_.triangle(static_cast<Index>(i));
+        const double size = (sizes_[t[0]] + sizes_[t[1]] + sizes_[t[2]]) / 3;
+        count += norm(areaVector(surface_.surface(), t)) / (0.87 * size * size);
+      }
+    }
+    return static_cast<std::size_t>(std::min(count, 1e15));
+  }
+
+  template <class Visit>
+  void forEachEdgeOnce(Visit visit) const
+  {
+    for (std::size_t i = 0; i < surface_.pointCount(); ++i)
+    {
+      const auto a = static_cast<Index>(i);
+      for (const Index b : surface_.neighbours(a))
+      {
+        if (a < b)
+        {
+          visit(a, b);
+        }
+      }
+    }
+  }
+
+  void offerShort(Queue& queue, Index a, Index b) const
+  {
+    if (const double r = ratio(a, b); r < ShortEdge)
+    {
+      queue.emplace(-r, std::min(a, b), std::max(a, b));
+    }
+  }
+
+  void collapseShortEdges()
+  {
+    Queue queue;
+    forEachEdgeOnce([&](Index a, Index b) { offerShort(queue, a, b); });
+    while (!queue.empty())
+    {
+      const auto [need, a, b] = queue.top();
+      queue.pop();
+      if (surface_.trianglesAt(a, b).empty() || ratio(a, b) != -need)
+      {
+        continue;
+      }
+      const Index kept = collapseEither(a, b, LongEdge);
+      if (kept != None)
+      {
+        for (const Index w : surface_.neighbours(kept))
+        {
+          offerShort(queue, kept, w);
+        }
+      }
+    }
+  }
+
+  // The point that remains, or None where neither may go.
+  Index collapseEither(Index a, Index b, double longest)
+  {
+    for (const auto& [gone, kept] : { std::pair(b, a), std::pair(a, b) })
+    {
+      if (surface_.mayCollapse(gone, kept) && staysShort(gone, kept, longest) &&
+        guard_.allowsCollapse(gone, kept, toleranceAt(gone, kept)))
+      {
+        surface_.collapse(gone, kept);
+        return kept;
+      }
+    }
+    return None;
+  }
+
+  // No edge becomes longer than wanted, or than the longest that goes.
+  bool staysShort(Index gone, Index kept, double longest) const
+  {
+    const std::vector<Index> around = surface_.neighbours(gone);
+    double now = 0;
+    for (const Index w : around)
+    {
+      now = std::max(now, ratio(gone, w));
+    }
+    // What is too long already is split later.
+    const double allowed = std::max(longest, LittleLonger * now);
+    return std::all_of(
+      around.begin(), around.end(), [&](Index w) { return w == kept || ratio(kept, w) <= allowed; });
+  }
+
+  void splitLongEdges()
+  {
+    Queue queue;
+    const auto offer = [&](Index a, Index b)
+    {
+      if (const double r = ratio(a, b); r > LongEdge && surface_.maySplit(a, b))
+      {
+        queue.emplace(r, std::min(a, b), std::max(a, b));
+      }
+    };
+    forEachEdgeOnce(offer);
+    while (!queue.empty())
+    {
+      const auto [need, a, b] = queue.top();
+      queue.pop();
+      if (surface_.trianglesAt(a, b).empty())
+      {
+        continue; // gone since
+      }
+      const Index middle = surface_.split(a, b, placeBetween(a, b));
+      sizes_.push_back(wantedAt(a, b));
+      for (const Index w : surface_.neighbours(middle))
+      {
+        offer(middle, w);
+      }
+    }
+  }
+
+  // The middle of an edge, on the given surface where that is near.
+  Vector3 placeBetween(Index a, Index b) const
+  {
+    const Vector3 middle = 0.5 * (surface_.point(a) + surface_.point(b));
+    const Index line = surface_.lineOf(a, b);
+    const Vector3 place = line != None
+      ? reference_.closestOnLine(middle, line).place
+      : reference_.closestOnPatch(middle, surface_.patch(surface_.trianglesAt(a, b)[0])).place;
+    return distance(place, middle) <= NearShare * lengthOf(a, b) ? place : middle;
+  }
+
+  void swapDiagonals()
+  {
+    std::vector<std::pair<Index, Index>> edges;
+    forEachEdgeOnce([&](Index a, Index b) { edges.emplace_back(a, b); });
+    for (std::size_t i = 0; i < edges.size() && i < 20 * surface_.triangleCount(); ++i)
+    {
+      const auto [a, b] = edges[i];
+      std::array<Corners, 2> made;
+      if (!surface_.maySwap(a, b, made) || !isBetter(a, b, made) ||
+        !guard_.allowsSwap(a, b, made, toleranceAt(a, b)))
+      {
+        continue;
+      }
+      surface_.swap(a, b);
+      for (const Corners& t : made)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          edges.emplace_back(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]));
+        }
+      }
+    }
+  }
+
+  bool isBetter(Index a, Index b, const std::array<Corners, 2>& made) const
+  {
+    const std::vector<Index> at = surface_.trianglesAt(a, b);
+    const auto least = [this](const Corners& s, const Corners& t)
+    { return std::min(smallestAngle(surface_.surface(), s), smallestAngle(surface_.surface(), t)); };
+    return least(made[0], made[1]) > least(surface_.triangle(at[0]), surface_.triangle(at[1])) + LeastGain;
+  }
+
+  void movePoints()
+  {
+    for (std::size_t i = 0; i < surface_.pointCount(); ++i)
+    {
+      const auto v = static_cast<Index>(i);
+      if (surface_.trianglesAt(v).empty() || surface_.freedom(v) == PointFreedom::Fixed)
+      {
+        continue;
+      }
+      const Vector3 place = surface_.freedom(v) == PointFreedom::Line ? evenPlaceOnLine(v) : evenPlace(v);
+      guard_.moveIfBetter(v, place, toleranceAt(v, v));
+    }
+  }
+
+  // The middle of the triangles around, weighed by how many of the wanted size they hold.
+  Vector3 evenPlace(Index v) const
+  {
+    Vector3 sum;
+    Vector3 normal;
+    double total = 0;
+    for (const Index t : surface_.trianglesAt(v))
+    {
+      const Corners& c = surface_.triangle(t);
+      const double size = (sizes_[c[0]] + sizes_[c[1]] + sizes_[c[2]]) / 3;
+      const Vector3 n = areaVector(surface_.surface(), c);
+      const double weight = norm(n) / (size * size);
+      normal += n;
+      sum += weight * centreOf(surface_.surface(), t);
+      total += weight;
+    }
+    if (!(total > 0))
+    {
+      return surface_.point(v);
+    }
+    const Vector3 n = normalized(normal);
+    const Vector3 way = (1 / total) * sum - surface_.point(v);
+    const Vector3 place = surface_.point(v) + way - dot(way, n) * n;
+    return reference_.closestOnPatch(place, surface_.patch(surface_.trianglesAt(v)[0])).place;
+  }
+
+  Vector3 evenPlaceOnLine(Index v) const
+  {
+    const std::vector<Index> ends = surface_.neighboursOnLines(v);
+    if (ends.size() != 2)
+    {
+      return surface_.point(v);
+    }
+    const Vector3& p = surface_.point(v);
+    const double needA = ratio(v, ends[0]);
+    const double needB = ratio(v, ends[1]);
+    // Towards the end with the longer edge, by half of what makes both alike.
+    const Index end = needA > needB ? ends[0] : ends[1];
+    const double part = 0.25 * std::fabs(needA - needB) / std::max(needA, needB);
+    return reference_.closestOnLine(p + part * (surface_.point(end) - p), surface_.lineOf(v, end)).place;
+  }
+
+  void collapseNarrowTriangles()
+  {
+    for (std::size_t i = 0; i < surface_.triangleCount(); ++i)
+    {
+      const auto t = static_cast<Index>(i);
+      if (!surface_.isAlive(t) || smallestAngle(surface_.surface(), surface_.triangle(t)) >= NarrowAngle)
+      {
+        continue;
+      }
+      const Corners c = surface_.triangle(t);
+      int shortest = 0;
+      for (int k = 1; k < 3; ++k)
+      {
+        shortest =
+          lengthOf(c[k], c[(k + 1) % 3]) < lengthOf(c[shortest], c[(shortest + 1) % 3]) ? k : shortest;
+      }
+      const Index a = c[shortest];
+      const Index b = c[(shortest + 1) % 3];
+      if (guard_.collapseBetters(a, b) || guard_.collapseBetters(b, a))
+      {
+        collapseEither(a, b, NarrowLongEdge);
+      }
+    }
+  }
+
+  EditableSurface surface_;
+  RemeshingOptions options_;
+  const Context& context_;
+  SurfaceReference reference_;
+  RemeshSizes field_;
+  RemeshGuard guard_;
+  std::vector<double> sizes_; // wanted, by point
+};
 } // namespace
 
-Outcome remeshSurface(SurfaceMesh& surface, double length, double angle)
+Outcome remeshSurface(
+  SurfaceMesh& surface, const RemeshingOptions& options, RemeshingReport& report, const Context& context)
 {
-  if (Vector3 fault; !isManifold(surface, fault))
+  Remeshing remeshing(surface, options, context);
+  Outcome outcome = remeshing.run();
+  if (outcome.ok())
   {
-    return Outcome::badInput(
-      "the surface cannot be remeshed: more than two triangles meet at an edge near (" +
-      std::to_string(fault.x) + ", " + std::to_string(fault.y) + ", " + std::to_string(fault.z) +
-      "); separate the parts there, or keep the surface as it is");
+    remeshing.report(report);
+    surface = remeshing.result();
   }
-  Mesh mesh;
-  const PatchOfFace patch = toCgal(surface, mesh);
-  const auto feature = mesh.add_property_map<Mesh::Edge_index, bool>("e:feature", false).first;
-  Processing::detect_sharp_edges(mesh, angle, feature);
-  constexpr unsigned iterations = 5;
-  Processing::isotropic_remeshing(mesh.faces(), length, mesh,
-    CGAL::parameters::number_of_iterations(iterations)
-      .edge_is_constrained_map(feature)
-      .face_patch_map(patch)
-      .protect_constraints(false)
-      .relax_constraints(true));
-  mesh.collect_garbage();
-  surface = fromCgal(mesh, patch);
-  return Outcome::done();
+  return outcome;
 }
 } // namespace ransmesh

@@ -25,13 +25,7 @@ void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)
 {
   for (Column& c : set.columns)
   {
-    const LayerHeights& heights = set.heightsOf(c);
-    const double largest = plan[c.patch].isotropicFraction * c.size;
-    int level = c.levels;
-    while (level > 0 && heights.spacing(level) > largest)
-    {
-      --level;
-    }
+    const int level = levelsOfIsotropicSize(set.heightsOf(c), plan[c.patch].isotropicFraction, c.size);
     c.limit(level, StopReason::IsotropicSize);
   }
 }
@@ -70,14 +64,19 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
   {
     highest = std::max(highest, set.thickness(c));
   }
-  // Lowest first, so that each column is settled when its turn comes (as Dijkstra's shortest paths).
+  // Lowest first, so that each column is settled when its turn comes (as Dijkstra's shortest paths). What
+  // spreads is the height that is allowed, not that of the level below it: where edges are shorter than a
+  // layer is high, levels would never rise again.
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  std::vector<double> reach;
+  reach.reserve(set.columns.size());
+  for (const Column& c : set.columns)
   {
-    if (set.thickness(set.columns[i]) < highest)
+    reach.push_back(set.thickness(c));
+    if (reach.back() < highest)
     {
-      queue.emplace(set.thickness(set.columns[i]), static_cast<Index>(i));
+      queue.emplace(reach.back(), static_cast<Index>(reach.size() - 1));
     }
   }
   while (!queue.empty())
@@ -85,7 +84,7 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
     const auto [height, i] = queue.top();
     queue.pop();
     const Column& c = set.columns[i];
-    if (height > set.thickness(c))
+    if (height > reach[i])
     {
       continue;
     }
@@ -100,10 +99,11 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
         }
         Column& other = set.columns[j];
         const double allowed = height + LargestSlope * distance(c.base, other.base);
-        if (set.thickness(other) > allowed)
+        if (reach[j] > allowed)
         {
+          reach[j] = allowed;
           other.limit(levelBelow(set, other, allowed), StopReason::Transition);
-          queue.emplace(set.thickness(other), j);
+          queue.emplace(allowed, j);
         }
       }
     }

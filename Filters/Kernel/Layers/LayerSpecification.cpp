@@ -80,4 +80,16 @@ LayerHeights::LayerHeights(const LayerSpecification& s)
     height_.push_back(height_.back() + spacingOf(s, level));
   }
 }
+
+int levelsOfIsotropicSize(const LayerHeights& heights, double fraction, double size)
+{
+  const auto fits = [&](int level)
+  { return heights.spacing(level) <= fraction * (size + IsotropicGrowth * heights.height(level)); };
+  int level = 0;
+  while (level < heights.count() && fits(level + 1))
+  {
+    ++level;
+  }
+  return level;
+}
 } // namespace ransmesh

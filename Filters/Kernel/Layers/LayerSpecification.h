@@ -60,6 +60,15 @@ private:
   std::vector<double> height_{ 0.0 };
 };
 
+// How fast the edges of an isotropic mesh grow with the distance from a wall: what the mesher does unless told
+// otherwise, and other meshers do.
+inline constexpr double IsotropicGrowth = 0.3;
+
+// The number of the lowest levels of which none has a spacing greater than `fraction` of the isotropic size at
+// its height (section 3 of Loehner's paper), where `size` is that at the wall. The wall's edges alone would stop
+// layers over its narrow parts, such as blunt trailing edges, below those around.
+int levelsOfIsotropicSize(const LayerHeights& heights, double fraction, double size);
+
 // Specifications by patch number; row 0, the fluid, has no layers.
 using LayerPlan = std::vector<LayerSpecification>;
 } // namespace ransmesh

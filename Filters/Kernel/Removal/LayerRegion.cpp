@@ -363,12 +363,7 @@ bool mayGo(const Classification& classification, const std::vector<char>& change
 
 double limitedThickness(const LayerHeights& heights, double isotropicFraction, double size)
 {
-  int level = 0;
-  while (level < heights.count() && heights.spacing(level + 1) <= isotropicFraction * size)
-  {
-    ++level;
-  }
-  return heights.height(level);
+  return heights.height(levelsOfIsotropicSize(heights, isotropicFraction, size));
 }
 
 LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classification,

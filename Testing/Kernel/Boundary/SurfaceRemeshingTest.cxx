@@ -16,12 +16,20 @@ SurfaceMesh needles()
   return { { { 0, 0, 0 }, { 0.01, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } }, { 1, 2, 3, 4 } };
 }
+
+Outcome remesh(SurfaceMesh& surface, double length)
+{
+  RemeshingOptions options;
+  options.length = length;
+  RemeshingReport report;
+  return remeshSurface(surface, options, report);
+}
 } // namespace
 
 TEST(SurfaceRemeshing, MakesTrianglesOfOneSizeAndKeepsPatchesAndCorners)
 {
   SurfaceMesh surface = needles();
-  ASSERT_TRUE(remeshSurface(surface, 0.02, 30).ok());
+  ASSERT_TRUE(remesh(surface, 0.02).ok());
   EXPECT_EQ(std::set<int>(surface.patch.begin(), surface.patch.end()), (std::set<int>{ 1, 2, 3, 4 }));
   forEachEdge(sortedEdges(surface),
     [&](const SurfaceEdge* first, const SurfaceEdge* last)
@@ -38,18 +46,54 @@ TEST(SurfaceRemeshing, GivesTheSameSurfaceTwice)
 {
   SurfaceMesh first = needles();
   SurfaceMesh second = needles();
-  ASSERT_TRUE(remeshSurface(first, 0.03, 30).ok());
-  ASSERT_TRUE(remeshSurface(second, 0.03, 30).ok());
+  ASSERT_TRUE(remesh(first, 0.03).ok());
+  ASSERT_TRUE(remesh(second, 0.03).ok());
   EXPECT_EQ(first.points, second.points);
   EXPECT_EQ(first.triangles, second.triangles);
 }
 
-TEST(SurfaceRemeshing, RefusesBranchingSurfaces)
+// A box whose middle wall divides it in two: three triangles meet at the wall's edges.
+SurfaceMesh dividedBox()
 {
-  SurfaceMesh surface = needles();
-  surface.points.push_back({ 0, 0, -1 });
-  surface.triangles.push_back({ 0, 1, 4 });
-  surface.patch.push_back(1);
-  EXPECT_FALSE(remeshSurface(surface, 0.03, 30).ok());
-  EXPECT_EQ(surface.triangles.size(), 5u);
+  SurfaceMesh box;
+  for (const double x : { 0.0, 1.0, 2.0 })
+  {
+    for (const auto& [y, z] :
+      { std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(1.0, 1.0), std::pair(0.0, 1.0) })
+    {
+      box.points.push_back({ x, y, z });
+    }
+  }
+  const auto quad = [&](Index a, Index b, Index c, Index d, int patch)
+  {
+    box.triangles.push_back({ a, b, c });
+    box.triangles.push_back({ a, c, d });
+    box.patch.insert(box.patch.end(), 2, patch);
+  };
+  quad(0, 3, 2, 1, 1);
+  quad(4, 5, 6, 7, 2);
+  quad(8, 9, 10, 11, 1);
+  for (Index part = 0; part < 8; part += 4)
+  {
+    for (Index i = 0; i < 4; ++i)
+    {
+      quad(part + i, part + (i + 1) % 4, part + 4 + (i + 1) % 4, part + 4 + i, 1);
+    }
+  }
+  return box;
+}
+
+TEST(SurfaceRemeshing, KeepsEdgesWhereMoreThanTwoTrianglesMeet)
+{
+  SurfaceMesh surface = dividedBox();
+  ASSERT_TRUE(remesh(surface, 0.2).ok());
+  double length = 0; // of the edges where three triangles meet
+  forEachEdge(sortedEdges(surface),
+    [&](const SurfaceEdge* first, const SurfaceEdge* last)
+    {
+      ASSERT_TRUE(last - first == 2 || last - first == 3);
+      length += last - first == 3 ? distance(surface.points[first->a], surface.points[first->b]) : 0;
+    });
+  EXPECT_NEAR(length, 4, 1e-12);
+  EXPECT_GT(surface.triangles.size(), 300u);
 }

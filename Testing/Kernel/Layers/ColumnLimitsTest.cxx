@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 using namespace ransmesh;
 using namespace grid_mesh;
 
@@ -61,8 +63,29 @@ TEST(ColumnLimits, NoSpacingAboveThePartOfTheIsotropicSize)
   const Column& c = channel.middle();
   EXPECT_EQ(c.reason, StopReason::IsotropicSize);
   const LayerHeights& heights = channel.set.heightsOf(c);
-  EXPECT_LE(heights.spacing(c.levels), 0.7 * c.size);
-  EXPECT_GT(heights.spacing(c.levels + 1), 0.7 * c.size);
+  const auto sizeAt = [&](int level) { return c.size + IsotropicGrowth * heights.height(level); };
+  EXPECT_LE(heights.spacing(c.levels), 0.7 * sizeAt(c.levels));
+  EXPECT_GT(heights.spacing(c.levels + 1), 0.7 * sizeAt(c.levels + 1));
+}
+
+TEST(ColumnLimits, LevelsRiseAgainOverEdgesShorterThanALayerIsHigh)
+{
+  Channel channel(1);
+  channel.plan[ZLow].firstHeight = 0.2;
+  channel.plan[ZLow].growthRate = 1;
+  channel.plan[ZLow].numberOfLayers = 3;
+  channel.set =
+    buildColumns(channel.mesh, BoundaryStars(channel.mesh), patches(PatchType::Symmetry), channel.plan);
+  Column& first = channel.set.columns.front();
+  first.limit(1, StopReason::Corner);
+  limitBySlope(channel.mesh, BoundaryStars(channel.mesh), channel.set);
+  for (const Column& c : channel.set.columns)
+  {
+    // Along the edges the way to the first column is at most the sum of the coordinates' differences.
+    const double way = std::abs(c.base.x - first.base.x) + std::abs(c.base.y - first.base.y);
+    const double rise = 0.7 / std::numbers::sqrt2 * way;
+    EXPECT_GE(c.levels, std::min(3, static_cast<int>((0.2 + rise) / 0.2 + 1e-9)));
+  }
 }
 
 TEST(ColumnLimits, NeighboursOfALowColumnStepDown)

@@ -252,7 +252,10 @@ RandomBody randomBody(std::uint32_t seed)
   result.scale = std::pow(10, dice.between(-3, 6));
   const Frame frame = randomFrame(dice);
   ransmesh::SurfaceMesh surface = toSurface(randomSolid(dice));
-  if (!remeshSurface(surface, result.size, 30).ok() ||
+  ransmesh::RemeshingOptions options;
+  options.length = result.size;
+  ransmesh::RemeshingReport report;
+  if (!remeshSurface(surface, options, report).ok() ||
     !prepareSurface(surface, result.body.patches, {}, {}).outcome.ok())
   {
     return result;

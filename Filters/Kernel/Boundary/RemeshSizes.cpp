@@ -1,0 +1,222 @@
+#include "Boundary/RemeshSizes.h"
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+#include <queue>
+
+namespace ransmesh
+{
+namespace
+{
+constexpr double ShareOfExtent = 0.1;
+constexpr double SmallestShare = 0.01;
+
+// The largest edge of each patch.
+std::vector<double> lengthsOfPatches(const SurfaceMesh& surface, const RemeshingOptions& options)
+{
+  std::map<int, std::vector<Vector3>> corners;
+  int patches = 0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    patches = std::max(patches, surface.patch[t]);
+    for (const Index v : surface.triangles[t])
+    {
+      corners[surface.patch[t]].push_back(surface.points[v]);
+    }
+  }
+  std::vector<double> lengths(patches + 1, options.length);
+  for (const auto& [patch, points] : corners)
+  {
+    if (static_cast<std::size_t>(patch) < options.patchLengths.size() && options.patchLengths[patch] > 0)
+    {
+      lengths[patch] = options.patchLengths[patch];
+    }
+    else if (options.length <= 0)
+    {
+      lengths[patch] = ShareOfExtent * extentOf(points).largestLength();
+    }
+  }
+  return lengths;
+}
+
+// The largest absolute curvature of a tensor in the plane normal to n.
+double largestCurvature(const std::array<Vector3, 3>& tensor, const Vector3& n)
+{
+  const Vector3 any = std::fabs(n.x) < 0.6 ? Vector3{ 1, 0, 0 } : Vector3{ 0, 1, 0 };
+  const Vector3 u = normalized(cross(n, any));
+  const Vector3 w = cross(n, u);
+  const auto times = [&tensor](const Vector3& a) {
+    return Vector3{ dot(tensor[0], a), dot(tensor[1], a), dot(tensor[2], a) };
+  };
+  const double uu = dot(u, times(u));
+  const double ww = dot(w, times(w));
+  const double uw = dot(u, times(w));
+  const double mean = 0.5 * (uu + ww);
+  return std::fabs(mean) + std::sqrt(0.25 * (uu - ww) * (uu - ww) + uw * uw);
+}
+} // namespace
+
+RemeshSizes::RemeshSizes(const SurfaceReference& reference, const RemeshingOptions& options)
+  : reference_(reference)
+  , options_(options)
+  , lengths_(lengthsOfPatches(reference.surface(), options))
+  , gaps_(options.edgesAcrossGap > 0 ? new SurfaceGaps(reference.surface(), options.gapSide) : nullptr)
+{
+}
+
+double RemeshSizes::smallestOf(int patch) const
+{
+  return options_.smallest > 0 ? options_.smallest : SmallestShare * lengths_[patch];
+}
+
+// The curvature tensor at a point is the sum over the edges around it of their turn, along the edge, by the
+// area (D. Cohen-Steiner, J.-M. Morvan, Restricted Delaunay triangulations and normal cycle, SoCG 2003).
+double RemeshSizes::curvedLength(const EditableSurface& surface, Index v) const
+{
+  std::array<Vector3, 3> tensor{};
+  Vector3 normal;
+  double area = 0;
+  for (const Index t : surface.trianglesAt(v))
+  {
+    const Vector3 n = areaVector(surface.surface(), surface.triangle(t));
+    normal += n;
+    area += norm(n) / 6; // a third of the triangle's
+  }
+  for (const Index w : surface.neighbours(v))
+  {
+    const std::vector<Index> at = surface.trianglesAt(v, w);
+    if (at.size() != 2 || surface.lineOf(v, w) != None)
+    {
+      continue;
+    }
+    const Vector3 along = surface.point(w) - surface.point(v);
+    const Vector3 n = areaVector(surface.surface(), surface.triangle(at[0]));
+    const Vector3 m = areaVector(surface.surface(), surface.triangle(at[1]));
+    const Vector3 e = normalized(along);
+    const Vector3& far = surface.point(surface.cornerOpposite(at[0], v, w));
+    const double sign = dot(m, far - surface.point(v)) < 0 ? 1 : -1; // convex or concave
+    const double turn = sign * degreesBetween(n, m) / DegreesOfRadian;
+    for (int k = 0; k < 3; ++k)
+    {
+      tensor[k] += (0.5 * turn * norm(along) * e[k]) * e;
+    }
+  }
+  const double curvature = area > 0 ? largestCurvature(tensor, normalized(normal)) / area : 0;
+  return curvature > 0 ? 2 * std::numbers::pi / (options_.edgesPerCircle * curvature) : INFINITY;
+}
+
+// Where a line of feature edges is bent.
+double RemeshSizes::bentLength(const EditableSurface& surface, Index v) const
+{
+  const std::vector<Index> ends = surface.neighboursOnLines(v);
+  if (ends.size() != 2)
+  {
+    return INFINITY;
+  }
+  const Vector3 in = surface.point(v) - surface.point(ends[0]);
+  const Vector3 out = surface.point(ends[1]) - surface.point(v);
+  const double turn = degreesBetween(in, out) / DegreesOfRadian;
+  const double length = 0.5 * (norm(in) + norm(out));
+  const double allowed = 2 * std::numbers::pi / options_.edgesPerCircle;
+  // Edges of the given line tell no more than this.
+  const double given = reference_.closestOnLine(surface.point(v), surface.lineOf(v, ends[0])).edge;
+  return turn > 0 ? std::max(given, length * allowed / turn) : INFINITY;
+}
+
+double RemeshSizes::givenLength(const EditableSurface& surface, Index v, int patch) const
+{
+  const ReferencePoint closest = reference_.closestOnPatch(surface.point(v), patch);
+  if (closest.triangle == None)
+  {
+    return INFINITY;
+  }
+  const SurfaceMesh& given = reference_.surface();
+  const Corners& t = given.triangles[closest.triangle];
+  double sum = 0;
+  double area = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Vector3& a = given.points[t[(i + 1) % 3]];
+    const Vector3& b = given.points[t[(i + 2) % 3]];
+    const double part = norm(cross(a - closest.place, b - closest.place));
+    sum += part * options_.pointLengths[t[i]];
+    area += part;
+  }
+  return area > 0 ? sum / area : options_.pointLengths[t[0]];
+}
+
+double RemeshSizes::wantedAt(const EditableSurface& surface, Index v) const
+{
+  double size = INFINITY;
+  double smallest = INFINITY;
+  for (const Index t : surface.trianglesAt(v))
+  {
+    size = std::min(size, lengths_[surface.patch(t)]);
+    smallest = std::min(smallest, smallestOf(surface.patch(t)));
+  }
+  if (options_.edgesPerCircle > 0)
+  {
+    const int patch = surface.patch(surface.trianglesAt(v)[0]);
+    const Index t = reference_.closestOnPatch(surface.point(v), patch).triangle;
+    // Between flat triangles that are given there is no more curvature to be found.
+    const double facet =
+      t == None ? 0 : smallestHeight(reference_.surface(), reference_.surface().triangles[t]);
+    size = std::min(size, std::max({ smallest, facet, curvedLength(surface, v) }));
+    size = std::min(size, std::max(smallest, bentLength(surface, v)));
+  }
+  if (gaps_)
+  {
+    const double reach = options_.edgesAcrossGap * size;
+    size = std::min(size, std::max(smallest, gaps_->widthAt(surface, v, reach) / options_.edgesAcrossGap));
+  }
+  if (!options_.pointLengths.empty())
+  {
+    size = std::min(size, givenLength(surface, v, surface.patch(surface.trianglesAt(v)[0])));
+  }
+  return options_.limit ? std::min(size, options_.limit(surface.point(v))) : size;
+}
+
+std::vector<double> RemeshSizes::at(const EditableSurface& surface) const
+{
+  std::vector<double> sizes(surface.pointCount(), INFINITY);
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    if (!surface.trianglesAt(static_cast<Index>(v)).empty())
+    {
+      sizes[v] = wantedAt(surface, static_cast<Index>(v));
+    }
+  }
+  limitGrowth(surface, options_.slope, sizes);
+  return sizes;
+}
+
+// Dijkstra's way, from the smallest size outward.
+void limitGrowth(const EditableSurface& surface, double slope, std::vector<double>& sizes)
+{
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (std::size_t v = 0; v < sizes.size(); ++v)
+  {
+    queue.emplace(sizes[v], static_cast<Index>(v));
+  }
+  while (!queue.empty())
+  {
+    const auto [here, v] = queue.top();
+    queue.pop();
+    if (here != sizes[v])
+    {
+      continue; // a smaller size has come since
+    }
+    for (const Index w : surface.neighbours(v))
+    {
+      const double allowed = here + slope * distance(surface.point(v), surface.point(w));
+      if (allowed < sizes[w])
+      {
+        sizes[w] = allowed;
+        queue.emplace(allowed, w);
+      }
+    }
+  }
+}
+} // namespace ransmesh
