@@ -73,7 +73,7 @@ public:
   vtkIdType numberOfCells(CellKind kind) const { return kindCounts_[static_cast<int>(kind)]; }
   Corners cell(vtkIdType i) const { return turned(unturnedCell(i)); }
   // As it stands in the grid: where only its points matter.
-  Corners unturnedCell(vtkIdType i) const { return corners(cellIds_.empty() ? i : cellIds_[i]); }
+  Corners unturnedCell(vtkIdType i) const { return corners(gridCell(i)); }
   // Calls act(Corners) for each volume cell of a kind, in the grid's order.
   template <class Act>
   void forEachCell(CellKind kind, Act act) const
@@ -86,7 +86,7 @@ public:
       }
     }
   }
-  CellKind kindOfCell(vtkIdType i) const { return kinds_[types_[cellIds_.empty() ? i : cellIds_[i]]]; }
+  CellKind kindOfCell(vtkIdType i) const { return kinds_[types_[gridCell(i)]]; }
 
   // Forgets the patches inside the mesh.
   void leaveOutSheets();
@@ -94,6 +94,9 @@ public:
   const std::vector<BoundaryPatch>& patches() const { return patches_; }
   vtkIdType numberOfFaces() const { return static_cast<vtkIdType>(faceIds_.size()); }
   Corners face(vtkIdType i) const { return corners(faceIds_[i]); }
+  // The grid's numbers of a volume cell and of a boundary face.
+  vtkIdType gridCell(vtkIdType i) const { return cellIds_.empty() ? i : cellIds_[i]; }
+  vtkIdType gridFace(vtkIdType i) const { return faceIds_[i]; }
   // The name of what fills the volume.
   const std::string& fluidName() const { return fluidName_; }
 

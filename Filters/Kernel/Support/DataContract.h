@@ -10,6 +10,9 @@ inline constexpr const char* LayerId = "LayerId"; // int; 0 none, else 1 at the 
 inline constexpr const char* PrismId = "PrismId"; // id; tetrahedra of one prism share a number, -1 none
 // Point data of the mesh.
 inline constexpr const char* ColumnId = "ColumnId"; // id; points of one column share a number, -1 none
+// Point data of a mesh's boundary blocks (vtkMeshToNamedBlocks), and field data of each.
+inline constexpr const char* MeshPointId = "MeshPointId";  // id; the point of the mesh that this one is
+inline constexpr const char* BlockPatchType = "PatchType"; // string; the patch's type
 // Field data of the mesh, indexed by patch number; row 0 is the fluid.
 inline constexpr const char* PatchNames = "PatchNames"; // string
 inline constexpr const char* PatchTypes = "PatchTypes"; // string
