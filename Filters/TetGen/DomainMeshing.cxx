@@ -6,6 +6,7 @@
 #include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceEdges.h"
 #include "Mesh/Validation.h"
+#include "Surface/DiagnosisText.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -24,6 +25,10 @@ struct Variant
   bool refines;
 };
 constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-12D1", false } };
+
+// What the user is told where every attempt failed: that, and which parts of the surface come so near to each other
+// that TetGen may not tell them apart.
+constexpr double NearForTetGen = 1e-4; // of the largest extent
 
 Context within(const Context& context, double from, double to)
 {
@@ -196,6 +201,33 @@ private:
   const MeshingOptions& options_;
   const TetGenWorker& worker_;
 };
+
+Outcome explainFailure(
+  const Outcome& last, int attempts, const Domain& domain, const Context& context, MeshingResult& result)
+{
+  DiagnosisOptions options;
+  options.nearTolerance = NearForTetGen;
+  Diagnosis near = diagnose(domain.surface, options, context);
+  std::erase_if(near.faults,
+    [](const Fault& f)
+    { return f.kind != SurfaceFault::NearSheets && f.kind != SurfaceFault::Intersection; });
+  std::string text = last.message;
+  if (attempts > 1)
+  {
+    text += "; so did " + std::to_string(attempts - 1) + " attempts with other tolerances of TetGen";
+  }
+  if (!near.faults.empty())
+  {
+    result.problemSurface = domain.surface;
+    for (const Fault& fault : near.faults)
+    {
+      result.problems.insert(result.problems.end(), fault.findings.begin(), fault.findings.end());
+    }
+    text += ". The reason may be that " + describe(near, domain.surface, domain.patches) +
+      "; remesh the surface, part the sheets, or wrap them (vtkSurfaceWrap, ransmesh --wrap)";
+  }
+  return { last.kind, text };
+}
 } // namespace
 
 Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const TetGenWorker& worker,
@@ -210,6 +242,7 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
     context.report(reached, phase);
   };
   std::string failures;
+  int attempts = 0;
   TetGenEnd end;
   for (const Variant& variant : Variants)
   {
@@ -218,6 +251,7 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
       continue;
     }
     end = attempt.run(variant, steady, result);
+    ++attempts;
     const bool isFinal = end.exhausted || end.outcome.kind == Outcome::Kind::Cancelled;
     if (end.outcome.ok() || isFinal || !result.problems.empty())
     {
@@ -232,6 +266,8 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
       (result.switches.ends_with("D1") ? " (without refining: sizes and quality are poor)" : "") +
       "; before:" + failures);
   }
-  return end.outcome;
+  const bool isUnexplained = end.outcome.kind == Outcome::Kind::BadInput && result.problems.empty();
+  return isUnexplained && !end.exhausted ? explainFailure(end.outcome, attempts, domain, context, result)
+                                         : end.outcome;
 }
 } // namespace ransmesh

@@ -4,6 +4,12 @@
 
 #include "vtkIsotropicTetMesher.h"
 
+#include "Support/DataContract.h"
+
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +34,11 @@ protected:
       std::filesystem::temp_directory_path() / ("ransmesh-worker-test-" + std::to_string(getpid()) + ".sh");
     this->Mesher->SetInputDataObject(TestSurfaces::Sphere(1, 12));
   }
-  void TearDown() override { std::filesystem::remove(this->Script); }
+  void TearDown() override
+  {
+    std::filesystem::remove(this->Script);
+    std::filesystem::remove(this->Script.string() + ".runs");
+  }
 
   // Makes a shell script the worker.
   void UseScript(const std::string& body)
@@ -36,6 +46,44 @@ protected:
     std::ofstream(this->Script) << "#!/bin/sh\n" << body << "\n";
     std::filesystem::permissions(this->Script, std::filesystem::perms::owner_all);
     this->Mesher->SetWorkerExecutable(this->Script.c_str());
+  }
+
+  // A worker that gives up the first times, and then does what it should.
+  std::string FailingAtFirst(int times) const
+  {
+    const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ransmesh-tetgen-worker";
+    const std::string runs = this->Script.string() + ".runs";
+    std::filesystem::remove(runs);
+    return "echo run >> " + runs + "\nif [ $(wc -l < " + runs + ") -le " + std::to_string(times) +
+      " ]; then exit 43; fi\nexec " + program.string() + " \"$@\"";
+  }
+
+  // The warnings on the way to a mesh.
+  std::string Warning()
+  {
+    std::string text;
+    vtkNew<vtkCallbackCommand> listen;
+    listen->SetClientData(&text);
+    listen->SetCallback([](vtkObject*, unsigned long, void* all, void* message)
+      { *static_cast<std::string*>(all) += static_cast<const char*>(message); });
+    this->Mesher->AddObserver(vtkCommand::WarningEvent, listen);
+    this->Mesher->Update();
+    this->Mesher->RemoveObserver(listen);
+    EXPECT_GT(this->Mesher->GetOutput()->GetNumberOfCells(), 0);
+    return text;
+  }
+
+  std::string Switches()
+  {
+    return vtkStringArray::SafeDownCast(
+      this->Mesher->GetOutput()->GetFieldData()->GetAbstractArray(ransmesh::contract::MesherSwitches))
+      ->GetValue(0);
+  }
+
+  double Count(const char* name)
+  {
+    return this->Mesher->GetOutput()->GetFieldData()->GetArray(name)->GetTuple1(0);
   }
 
   std::string Error()
@@ -50,6 +98,15 @@ protected:
 bool contains(const std::string& text, const char* phrase)
 {
   return text.find(phrase) != std::string::npos;
+}
+
+// One side is cut into a needle and a cap, which the mesher betters.
+vtkSmartPointer<vtkPolyData> obtuseCube()
+{
+  return TestSurfaces::Triangles({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                                   { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.49, 1 } },
+    { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 },
+      { 3, 0, 4 }, { 3, 4, 7 }, { 4, 5, 8 }, { 5, 6, 8 }, { 4, 8, 6 }, { 4, 6, 7 } });
 }
 
 double secondsSince(std::chrono::steady_clock::time_point began)
@@ -134,6 +191,55 @@ TEST_F(Worker, StoppedByTheUser)
   const auto began = std::chrono::steady_clock::now();
   EXPECT_EQ(this->Error(), "");
   EXPECT_LT(secondsSince(began), 20);
+}
+
+TEST_F(Worker, IsTriedWithAFinerTolerance)
+{
+  this->UseScript(this->FailingAtFirst(1));
+  EXPECT_TRUE(contains(this->Warning(), "needed more than one attempt and succeeded with the switches pq"));
+  EXPECT_TRUE(contains(this->Switches(), "YT1e-12"));
+}
+
+TEST_F(Worker, GetsTheSurfaceAsGivenWhereItDoesNotMeshTheMendedOne)
+{
+  this->Mesher->SetInputDataObject(obtuseCube());
+  this->Mesher->Update();
+  EXPECT_GT(this->Count(ransmesh::contract::SurfaceSwaps), 0);
+  // Every switch fails on the mended surface.
+  this->UseScript(this->FailingAtFirst(3));
+  EXPECT_TRUE(contains(this->Warning(), "they are kept as they were given"));
+  EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSwaps), 0);
+  EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSplits), 0);
+}
+
+TEST_F(Worker, FailingAlwaysShowsNearSheets)
+{
+  this->UseScript("exit 43");
+  EXPECT_FALSE(contains(this->Error(), "nearly touch")); // of the sphere
+  vtkSmartPointer<vtkPolyData> upper = TestSurfaces::Cube(0, 1);
+  vtkNew<vtkTransform> move;
+  move->Translate(0, 0.1, 1.00005);
+  vtkNew<vtkTransformPolyDataFilter> moved;
+  moved->SetTransform(move);
+  moved->SetInputData(upper);
+  moved->Update();
+  this->Mesher->SetInputDataObject(TestSurfaces::Together({ TestSurfaces::Cube(0, 1), moved->GetOutput() }));
+  const std::string text = this->Error();
+  EXPECT_TRUE(contains(text, "TetGen gave up with error 3"));
+  EXPECT_TRUE(contains(text, "so did 2 attempts"));
+  EXPECT_TRUE(contains(text, "nearly touch"));
+  EXPECT_GE(vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1))->GetNumberOfCells(), 2);
+}
+
+TEST_F(Worker, NeedingMoreMemoryThanTheLimit)
+{
+  this->Mesher->SetWorkerMemoryLimit(20);
+  const std::string text = this->Error();
+  EXPECT_TRUE(contains(text, "limit of 20 MB (WorkerMemoryLimit)")) << text;
+  EXPECT_FALSE(contains(text, "attempts")) << text;
+  this->Mesher->SetWorkerMemoryLimit(2000);
+  this->Mesher->Update();
+  EXPECT_GT(this->Mesher->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST_F(Worker, ReportsProgress)
