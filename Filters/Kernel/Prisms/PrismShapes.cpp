@@ -1,6 +1,7 @@
 #include "Prisms/PrismShapes.h"
 
 #include "Geometry/Predicates.h"
+#include "Geometry/TetrahedronMeasures.h"
 
 #include <algorithm>
 #include <iterator>
@@ -142,7 +143,7 @@ std::optional<Wedge> PrismShapes::wedgeOf(Index group) const
                                                                            : std::nullopt;
 }
 
-std::optional<PrismCells> PrismShapes::fromNewPoint(Index group) const
+std::vector<Index> PrismShapes::pointsOf(Index group) const
 {
   const PrismGroup& g = groups_.groups[group];
   std::vector<Index> corners;
@@ -153,35 +154,82 @@ std::optional<PrismCells> PrismShapes::fromNewPoint(Index group) const
   }
   std::sort(corners.begin(), corners.end());
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-  PrismCells cells;
-  cells.hasNewPoint = true;
+  return corners;
+}
+
+// The middle of all corners; and beside each edge, half its length away: in a thin prism a point is best near a
+// column, where the triangles above and below it see it under right angles.
+std::vector<Vector3> PrismShapes::placesWithin(Index group) const
+{
+  const std::vector<Index> corners = pointsOf(group);
+  Vector3 middle;
   for (const Index v : corners)
   {
-    cells.newPoint += (1.0 / static_cast<double>(corners.size())) * mesh_.points[v];
+    middle += (1.0 / static_cast<double>(corners.size())) * mesh_.points[v];
   }
-  const auto sees = [&](Index a, Index b, Index c)
-  { return isPositive(mesh_.points[a], mesh_.points[b], mesh_.points[c], cells.newPoint); };
+  std::vector<Vector3> places{ middle };
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < corners.size(); ++j)
+    {
+      const Vector3& a = mesh_.points[corners[i]];
+      const Vector3& b = mesh_.points[corners[j]];
+      const Vector3 inward = middle - 0.5 * (a + b);
+      const double way = norm(inward);
+      places.push_back(0.5 * (a + b) + std::min(0.5, 0.5 * distance(a, b) / std::max(way, 1e-300)) * inward);
+    }
+  }
+  return places;
+}
+
+std::optional<PrismCells> PrismShapes::fromNewPoint(Index group) const
+{
+  PrismCells cells;
+  cells.hasNewPoint = true;
+  std::vector<std::array<Index, 3>> seen = plainFaces(group);
+  for (const auto& face : seen)
+  {
+    cells.tetrahedra.push_back({ face[0], face[1], face[2], PrismCells::NewPoint });
+  }
   for (const Index quad : keptQuads(group))
   {
     const auto c = cornersOf(group, quad);
-    for (int i = 0; i < 4; ++i)
-    {
-      if (!sees(c[i], c[(i + 1) % 4], c[(i + 3) % 4]))
-      {
-        return std::nullopt;
-      }
-    }
     cells.pyramids.push_back({ c[0], c[1], c[2], c[3], PrismCells::NewPoint });
-  }
-  for (const auto& face : plainFaces(group))
-  {
-    if (!sees(face[0], face[1], face[2]))
+    for (int i = 0; i < 4; ++i) // both ways to cut it
     {
-      return std::nullopt;
+      seen.push_back({ c[i], c[(i + 1) % 4], c[(i + 3) % 4] });
     }
-    cells.tetrahedra.push_back({ face[0], face[1], face[2], PrismCells::NewPoint });
   }
-  return cells;
+  double lowest = 180;
+  for (const Vector3& place : placesWithin(group))
+  {
+    const double angle = largestAngleFrom(place, seen);
+    if (angle < lowest)
+    {
+      lowest = angle;
+      cells.newPoint = place;
+    }
+  }
+  return lowest < 180 ? std::optional(cells) : std::nullopt;
+}
+
+// Of the tetrahedra upon the faces; 180 where one of them is not positive.
+double PrismShapes::largestAngleFrom(
+  const Vector3& place, const std::vector<std::array<Index, 3>>& faces) const
+{
+  double largest = 0;
+  for (const auto& face : faces)
+  {
+    const Vector3& a = mesh_.points[face[0]];
+    const Vector3& b = mesh_.points[face[1]];
+    const Vector3& c = mesh_.points[face[2]];
+    if (!isPositive(a, b, c, place))
+    {
+      return 180;
+    }
+    largest = std::max(largest, largestDihedral(a, b, c, place));
+  }
+  return largest;
 }
 
 std::optional<PrismCells> PrismShapes::make(Index group) const

@@ -31,7 +31,8 @@ public:
 
   // Cells with exactly the kept quadrilaterals, or nothing if there are none that are sound. Without one: the
   // tetrahedra as they are. One: a pyramid upon it where two of the tetrahedra make it. Three that go around the
-  // prism: a wedge. Else, from a new point amid: a pyramid upon each, tetrahedra upon all other faces.
+  // prism: a wedge. Else, from a new point within, where angles are best: a pyramid upon each, tetrahedra upon all
+  // other faces.
   std::optional<PrismCells> make(Index group) const;
 
   // Is it possible without a new point?
@@ -41,6 +42,9 @@ private:
   std::optional<Pyramid> pyramidOf(Index group, Index quad) const;
   std::optional<Wedge> wedgeOf(Index group) const;
   std::optional<PrismCells> fromNewPoint(Index group) const;
+  std::vector<Index> pointsOf(Index group) const;
+  std::vector<Vector3> placesWithin(Index group) const;
+  double largestAngleFrom(const Vector3& place, const std::vector<std::array<Index, 3>>& faces) const;
   // The faces of the group that lie in no kept quadrilateral, turned inward.
   std::vector<std::array<Index, 3>> plainFaces(Index group) const;
   bool isInside(Index group, const std::array<Index, 3>& face, Index tet) const;
