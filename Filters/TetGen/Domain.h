@@ -19,5 +19,6 @@ struct Domain
   std::vector<char> isSheet; // by patch number
   std::optional<FarFieldBox> box;
   std::vector<ClosingPlane> planes; // with a box, some of its sides
+  std::vector<int> farField;        // patches that all fluid reaches; none: those of the outermost surface
 };
 } // namespace ransmesh

@@ -104,7 +104,7 @@ public:
   Attempt(const Domain& domain, const MeshingOptions& options, const TetGenWorker& worker)
     : domain_(domain)
     , closed_{ withoutSheets(domain.surface, domain.isSheet), domain.patches, domain.isSheet, domain.box,
-      domain.planes }
+      domain.planes, domain.farField }
     , options_(options)
     , worker_(worker)
   {
@@ -134,7 +134,7 @@ public:
       {
         return end;
       }
-      for (const Vector3& hole : findHoles(regions))
+      for (const Vector3& hole : findHoles(regions, domain_.farField))
       {
         request.holes.insert(request.holes.end(), { hole.x, hole.y, hole.z });
       }

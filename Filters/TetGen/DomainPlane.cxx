@@ -3,6 +3,8 @@
 #include "Boundary/SurfaceRepair.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <sstream>
 
 namespace ransmesh
@@ -27,6 +29,30 @@ void chooseSide(const Extent& extent, DomainPlane& plane)
   const bool isAbove = above >= below * (1 - PlaneTolerance);
   plane.plane.keepsAbove =
     plane.keep == DomainPlane::Keep::Larger ? isAbove : plane.keep == DomainPlane::Keep::Above;
+}
+
+// The only patch that lies in the plane as a whole.
+int patchIn(const SurfaceMesh& surface, const AxisPlane& plane, double tolerance)
+{
+  std::map<int, bool> liesIn;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto& v = surface.triangles[t];
+    const bool isIn = std::all_of(v.begin(), v.end(),
+      [&](Index corner) { return std::fabs(surface.points[corner][plane.axis] - plane.place) <= tolerance; });
+    const auto known = liesIn.try_emplace(surface.patch[t], true).first;
+    known->second = known->second && isIn;
+  }
+  int found = None;
+  for (const auto& [patch, isIn] : liesIn)
+  {
+    if (isIn && found != None)
+    {
+      return None;
+    }
+    found = isIn ? patch : found;
+  }
+  return found;
 }
 
 Outcome checkAxes(const std::vector<DomainPlane>& planes)
@@ -57,6 +83,7 @@ Outcome cutByPlanes(SurfaceMesh& surface, std::vector<DomainPlane>& planes)
   for (DomainPlane& plane : planes)
   {
     chooseSide(extentOf(surface.points), plane);
+    plane.ownPatch = patchIn(surface, plane.plane, tolerance);
     cutByPlane(surface, plane.plane, tolerance, RidgeAngle);
     if (surface.triangles.empty())
     {

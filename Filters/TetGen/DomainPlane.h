@@ -23,6 +23,8 @@ struct DomainPlane
   AxisPlane plane;
   Keep keep = Keep::Larger;
   Patch patch; // the name and type of the plane's patch
+  // The surface's own patch that lies in the plane, all of it, and goes with the cut; None if there is not just one.
+  int ownPatch = None;
 };
 
 // What a half model's open edges may be off the plane, times the largest extent of the surfaces.

@@ -7,6 +7,7 @@
 #include "Boundary/SurfaceRemeshing.h"
 #include "Surface/Preparation.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace ransmesh
@@ -127,6 +128,21 @@ Outcome setPatchTypes(const MesherSettings& settings, SurfaceInput& input)
   return outcome.ok() ? checkSheetTypes(input.patches, input.isSheet) : outcome;
 }
 
+// The patches at which the far field lies: all sides of the box but the planes.
+std::vector<int> farPatches(const FarFieldBox& box, const Planes& planes)
+{
+  std::vector<int> patches;
+  for (int side = 0; side < 6; ++side)
+  {
+    const auto isSide = [side](const DomainPlane& plane) { return sideOf(plane.plane) == side; };
+    if (std::none_of(planes.begin(), planes.end(), isSide))
+    {
+      patches.push_back(box.patches[side]);
+    }
+  }
+  return patches;
+}
+
 // A box, or a sphere as a part of the surface.
 void addFarField(const MesherSettings& settings, const Planes& planes, SurfaceInput& input, Domain& domain)
 {
@@ -135,20 +151,33 @@ void addFarField(const MesherSettings& settings, const Planes& planes, SurfaceIn
   makeBodiesWalls(input.patches);
   if (options.isSphere)
   {
-    append(makeSphere(bodies, options.margins[0], settings.meshing.limits.maximum, planes, input.patches),
-      input.surface);
+    const SurfaceMesh sphere =
+      makeSphere(bodies, options.margins[0], settings.meshing.limits.maximum, planes, input.patches);
+    domain.farField = { sphere.patch.front() };
+    append(sphere, input.surface);
     return;
   }
   domain.box = makeFarField(bodies, options, planes, input.patches);
+  domain.farField = farPatches(*domain.box, planes);
 }
 
-// The planes' patches: sides of the box, or new ones.
+// The plane's own patch becomes what the plane is.
+int takeOver(const DomainPlane& plane, PatchTable& patches)
+{
+  Patch& own = patches[plane.ownPatch];
+  own.type = own.type == PatchType::Patch ? plane.patch.type : own.type;
+  return plane.ownPatch;
+}
+
+// The planes' patches: sides of the box, or what lay in the plane, or new ones.
 void addPlanes(const Planes& planes, SurfaceInput& input, Domain& domain)
 {
   for (const DomainPlane& plane : planes)
   {
-    domain.planes.push_back({ plane.plane,
-      domain.box ? domain.box->patches[sideOf(plane.plane)] : addPatch(plane.patch, input.patches) });
+    const int patch = domain.box ? domain.box->patches[sideOf(plane.plane)]
+      : plane.ownPatch != None   ? takeOver(plane, input.patches)
+                                 : addPatch(plane.patch, input.patches);
+    domain.planes.push_back({ plane.plane, patch });
   }
 }
 

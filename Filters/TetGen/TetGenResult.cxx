@@ -31,6 +31,15 @@ MeshData plainMesh(const worker::Result& result)
   return mesh;
 }
 
+void addFaces(const worker::Result& result, MeshData& mesh)
+{
+  for (std::size_t i = 0; i + 2 < result.faces.size(); i += 3)
+  {
+    mesh.triangles.push_back({ result.faces[i], result.faces[i + 1], result.faces[i + 2] });
+  }
+  mesh.trianglePatch.assign(result.faceMarkers.begin(), result.faceMarkers.end());
+}
+
 // The centre of the sphere inside a tetrahedron, and its radius.
 std::pair<Vector3, double> inscribedSphere(const MeshData& mesh, const std::array<Index, 4>& tet)
 {
@@ -52,13 +61,25 @@ std::pair<Vector3, double> inscribedSphere(const MeshData& mesh, const std::arra
 
 } // namespace
 
-std::vector<Vector3> findHoles(const worker::Result& result)
+std::vector<Vector3> findHoles(const worker::Result& result, const std::vector<int>& farField)
 {
-  const MeshData mesh = plainMesh(result);
+  MeshData mesh = plainMesh(result);
+  addFaces(result, mesh);
   const FaceMatching matching = matchFaces(mesh);
+  const auto reachesFluid = [&](Index opposite)
+  {
+    const bool isOuter = opposite < 0;
+    if (!isOuter || farField.empty())
+    {
+      return isOuter;
+    }
+    const int patch =
+      opposite == FaceMatching::Unmatched ? None : mesh.trianglePatch[boundaryFaceOf(opposite)];
+    return std::find(farField.begin(), farField.end(), patch) != farField.end();
+  };
   struct Region
   {
-    bool outermost = false;
+    bool isFluid = false;
     Vector3 inside;
     double room = -1;
   };
@@ -68,7 +89,7 @@ std::vector<Vector3> findHoles(const worker::Result& result)
     Region& region = regions[result.regions[t]];
     for (int f = 0; f < 4; ++f)
     {
-      region.outermost = region.outermost || matching.opposite[4 * t + f] == FaceMatching::Unmatched;
+      region.isFluid = region.isFluid || reachesFluid(matching.opposite[4 * t + f]);
     }
     const auto [centre, radius] = inscribedSphere(mesh, mesh.tetrahedra[t]);
     if (radius > region.room)
@@ -80,7 +101,7 @@ std::vector<Vector3> findHoles(const worker::Result& result)
   std::vector<Vector3> holes;
   for (const auto& [number, region] : regions)
   {
-    if (!region.outermost)
+    if (!region.isFluid)
     {
       holes.push_back(region.inside);
     }
@@ -93,11 +114,7 @@ AssembledMesh assemble(const worker::Result& result, const std::vector<char>& is
   AssembledMesh assembled;
   MeshData& mesh = assembled.mesh;
   mesh = plainMesh(result);
-  for (std::size_t i = 0; i + 2 < result.faces.size(); i += 3)
-  {
-    mesh.triangles.push_back({ result.faces[i], result.faces[i + 1], result.faces[i + 2] });
-  }
-  mesh.trianglePatch.assign(result.faceMarkers.begin(), result.faceMarkers.end());
+  addFaces(result, mesh);
   const FaceMatching matching = matchFaces(mesh);
   std::vector<char> onBoundary(mesh.triangles.size(), 0);
   for (std::size_t face = 0; face < matching.opposite.size(); ++face)

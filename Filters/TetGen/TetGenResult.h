@@ -10,10 +10,10 @@
 
 namespace ransmesh
 {
-// A point inside each region that is no fluid. Fluid are the regions that reach the outside: those next
-// to the outermost surface. All others are enclosed by them: the insides of bodies. The result must
-// come from a run with the switch A.
-std::vector<Vector3> findHoles(const worker::Result& result);
+// A point inside each region that is no fluid. Fluid are the regions that reach a face with one of the given markers
+// (patches of the far field) or, if there are none, the outside: those next to the outermost surface. All others are
+// the insides of bodies, or shut off by bodies and planes. The result must come from a run with the switch A.
+std::vector<Vector3> findHoles(const worker::Result& result, const std::vector<int>& farField);
 
 struct AssembledMesh
 {

@@ -2,7 +2,11 @@
 #include "MesherRun.h"
 #include "TestSurfaces.h"
 
+#include "Support/DataContract.h"
+
+#include "vtkCellData.h"
 #include "vtkClipPolyData.h"
+#include "vtkIntArray.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
 
@@ -111,6 +115,43 @@ TEST(MesherDomains, LeavesHolesInThePlaneOfHollowBodies)
   const MesherRun run(mesher);
   EXPECT_NEAR(areaOf(run, "symmetry"), std::numbers::pi * (0.25 - 0.04), 0.02);
   EXPECT_NEAR(ransmesh::totalVolume(run.mesh), BallVolume / 2 * (1 - 0.064), 0.02);
+}
+
+TEST(MesherDomains, LeavesOutWhatPlanesShutOff)
+{
+  vtkNew<Mesher> mesher; // a hollow hull: no water is in it
+  mesher->AddInputDataObject(ball());
+  mesher->AddInputDataObject(TestSurfaces::Sphere(0.4, 16));
+  mesher->FarFieldOn();
+  mesher->SetWaterlinePlane(Mesher::ACROSS_Z);
+  const MesherRun run(mesher);
+  EXPECT_TRUE(run.trianglesOf.contains("surface_1"));
+  EXPECT_FALSE(run.trianglesOf.contains("surface_2"));
+  double b[6];
+  mesher->GetOutput()->GetBounds(b);
+  const double floor = (b[1] - b[0]) * (b[3] - b[2]);
+  EXPECT_NEAR(areaOf(run, "waterline"), floor - std::numbers::pi / 4, 0.02);
+}
+
+TEST(MesherDomains, KeepsThePatchThatLiesInThePlane)
+{
+  vtkNew<Mesher> mesher; // a cube whose lowest side is a patch of its own
+  const auto cube = TestSurfaces::Cube(0, 1);
+  vtkNew<vtkIntArray> patch;
+  patch->SetName(ransmesh::contract::PatchId);
+  for (vtkIdType c = 0; c < 12; ++c)
+  {
+    double bounds[6];
+    cube->GetCellBounds(c, bounds);
+    patch->InsertNextValue(bounds[5] == 0 ? 7 : 3);
+  }
+  cube->GetCellData()->AddArray(patch);
+  mesher->AddInputDataObject(cube);
+  mesher->SetSymmetryPlane(Mesher::ACROSS_Z);
+  const MesherRun run(mesher);
+  EXPECT_EQ(run.trianglesOf.size(), 2u);
+  EXPECT_EQ(run.typeOf.at("patch_7"), ransmesh::PatchType::Symmetry);
+  EXPECT_NEAR(areaOf(run, "patch_7"), 1, 1e-12);
 }
 
 TEST(MesherDomains, CutsAShipAtItsWaterlineAndInHalf)
