@@ -4,6 +4,8 @@
 
 #include "Support/DataContract.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkStringArray.h"
 
@@ -165,6 +167,12 @@ TEST(IsotropicTetMesher, MeshesDomainsApart)
   mesher->AddInputDataObject(TestSurfaces::Cube(3, 5));
   const MesherRun run(mesher);
   EXPECT_NEAR(ransmesh::totalVolume(run.mesh), 1 + 8, 1e-9);
+  auto* regions = mesher->GetOutput()->GetCellData()->GetArray(ransmesh::contract::RegionId);
+  ASSERT_TRUE(regions);
+  double range[2];
+  regions->GetRange(range);
+  EXPECT_EQ(range[0], 0);
+  EXPECT_EQ(range[1], 2);
 }
 
 TEST(IsotropicTetMesher, RemeshesSurfacesAndKeepsTheirEdgesAndPatches)

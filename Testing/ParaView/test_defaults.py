@@ -18,7 +18,7 @@ def plugin_xml():
     """The properties of each proxy by name, as the XML files say, with those of the base proxy."""
     folder = os.path.join(os.environ["RANSMESHING_SOURCE_DIR"], "Wrapping/ParaView/Plugin")
     proxies = {}
-    for file in ("RANSMeshingSurface.xml", "RANSMeshing.xml", "RANSMeshingLayers.xml"):
+    for file in ("RANSMeshingSurface.xml", "RANSMeshing.xml", "RANSMeshingLayers.xml", "RANSMeshingInput.xml"):
         for proxy in ElementTree.parse(os.path.join(folder, file)).iter("SourceProxy"):
             proxies[proxy.get("name")] = proxy
     for name in FILTERS:

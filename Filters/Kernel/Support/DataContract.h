@@ -8,6 +8,8 @@ namespace ransmesh::contract
 inline constexpr const char* PatchId = "PatchId"; // int; 0 on tetrahedra, >= 1 on boundary triangles
 inline constexpr const char* LayerId = "LayerId"; // int; 0 none, else 1 at the wall, counting outward
 inline constexpr const char* PrismId = "PrismId"; // id; tetrahedra of one prism share a number, -1 none
+inline constexpr const char* RegionId =
+  "RegionId"; // int, of the mesher's output; 0 on triangles, else from 1
 // Point data of the mesh.
 inline constexpr const char* ColumnId = "ColumnId"; // id; points of one column share a number, -1 none
 // Point data of a mesh's boundary blocks (vtkMeshToNamedBlocks), and field data of each.
