@@ -128,7 +128,7 @@ void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMes
     const Column& column = set.columns[origin.column];
     if (origin.layers != None)
     {
-      const double height = set.heightsOf(column).height(1);
+      const double height = set.heights[origin.patch].height(1);
       const auto number = static_cast<Index>(data.points.size());
       result.wallPoints.push_back({ number, origin.patch, origin.layers, origin.layers, height,
         origin.layers > 0 ? height : 0, StopReason::Complete });
@@ -203,9 +203,10 @@ WallPoint wallPointOf(const ColumnSet& set, const ColumnPoints& numbers, Index c
   point.firstHeightAsked = heights.count() > 0 ? heights.height(1) : 0;
   if (c.levels > 0)
   {
-    // The direction is scaled to rise by one, so the step's share of it is the height.
+    // How much of the whole first step there is: a top that got stuck may stand lower.
     const Vector3 step = mesh.points[numbers.at(column, 1)] - c.base;
-    point.firstHeightAchieved = dot(step, c.direction) / dot(c.direction, c.direction);
+    const Vector3 whole = set.pointAt(c, 1) - c.base;
+    point.firstHeightAchieved = point.firstHeightAsked * dot(step, whole) / dot(whole, whole);
   }
   point.reason = c.reason;
   return point;

@@ -33,7 +33,7 @@ bool findLines(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face, 
       continue;
     }
     const Column& c = set.columns[face.column[j]];
-    if (c.path != None)
+    if (c.path != None || c.bend != None)
     {
       return false;
     }

@@ -41,7 +41,7 @@ Vector3 TensorGrid::pointAt(const ColumnSet& set, const GridPlace& place) const
   Vector3 x = column.base;
   for (int w = 0; w < corner_.walls; ++w)
   {
-    x += set.heightsOf(column).height(place[w]) * corner_.rise[w];
+    x += set.heights[corner_.patch[w]].height(place[w]) * corner_.rise[w];
   }
   return x;
 }

@@ -39,7 +39,8 @@ struct Column
   Vector3 direction;                // the step that rises by one above the wall faces
   int patch = 0;                    // whose heights it follows
   std::array<int, 2> sides{ 0, 0 }; // adjoining patches that it stays in; 0: none
-  Index path = None;                // its path where it follows curved sides; None: it is straight
+  Index path = None;                // its path where it follows curved sides; None: it is straight, or
+  Index bend = None;                // has places of its own, between walls of different heights
   double size = 0;                  // mean length of the wall's edges here
   int asked = 0;                    // layers asked for
   int levels = 0;                   // layers that it is to have, or has
@@ -69,15 +70,30 @@ struct ColumnSet
   std::vector<SidePath> paths;       // of columns in curved sides
   std::vector<Fan> fans;             // in order of their main columns
   std::vector<TensorCorner> corners; // in order of their columns
+  std::vector<std::vector<Vector3>>
+    bends; // by level, from the base up: the points of columns that are not straight
 
   const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
   double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }
+  // The layers' height over a wall of this patch at the column's foot, as a share of its own height.
+  double shareOver(int patch, const Column& c) const
+  {
+    const bool isOther = c.bend != None && heights[patch].count() >= c.asked;
+    return isOther ? heights[patch].height(c.asked) / heightsOf(c).height(c.asked) : 1;
+  }
   // The one place that computes where a level's point is.
-  Vector3 pointAt(const Column& c, int level) const { return pointAtHeight(c, heightsOf(c).height(level)); }
+  Vector3 pointAt(const Column& c, int level) const
+  {
+    return c.bend == None ? pointAtHeight(c, heightsOf(c).height(level)) : bends[c.bend][level];
+  }
   Vector3 pointAtHeight(const Column& c, double height) const
   {
-    return c.path == None ? c.base + height * c.direction : paths[c.path].at(height);
+    return c.path != None ? paths[c.path].at(height)
+      : c.bend != None    ? pointOnBend(c, height)
+                          : c.base + height * c.direction;
   }
+  // Between the levels' points; height is that over the column's own patch.
+  Vector3 pointOnBend(const Column& c, double height) const;
   // The column that was first on the root of c; these are in order of root, before all others.
   Index mainOf(const Column& c) const { return ofVertex[c.root]; }
   // The wall's vertex below a vertex of the front; any other vertex is its own.

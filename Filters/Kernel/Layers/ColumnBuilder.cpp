@@ -249,27 +249,64 @@ private:
     return leastVisible > std::cos(turn / 2 / DegreesOfRadian);
   }
 
-  // Walls that meet at a tensor corner have the same layers. Where the two sides of a wake would not come out
-  // alike, none is at a wake: a grid brings points to its walls. Its columns are straight: there is none where
-  // a side is curved.
+  // Where the two sides of a wake would not come out alike, no tensor corner is at a wake: a grid brings points to
+  // its walls. Its columns stay in planes: there is none where a side is curved.
   bool aimTensor(const Surroundings& s, FaceRing& ring, const std::vector<Side>& sides, Column& column)
   {
-    const bool alike = std::all_of(s.walls.begin(), s.walls.end(),
-      [&](const FaceAtVertex& f)
-      {
-        const bool allowed = gridsOnWakes_ || patches_[f.patch].type != PatchType::Wake;
-        return allowed && plan_[f.patch] == plan_[s.patch];
-      });
+    const bool allowed = gridsOnWakes_ ||
+      std::none_of(s.walls.begin(), s.walls.end(),
+        [this](const FaceAtVertex& f) { return patches_[f.patch].type == PatchType::Wake; });
     TensorCorner corner;
-    if (!alike || !arePlane(s.others, sides) ||
-      !findTensorCorner(column.base, mesh_, ring, normalsOf(sides), corner))
+    if (!allowed || !arePlane(s.others, sides) ||
+      !findTensorCorner(column.base, mesh_, ring, normalsOf(sides), corner) || !assignPatches(s, corner))
     {
       return false;
     }
     corner.column = static_cast<Index>(set_.columns.size());
     column.direction = corner.diagonal();
+    bend(corner, column);
     set_.corners.push_back(corner);
     return true;
+  }
+
+  // Finds each wall's patch; false where a wall has patches of different layers.
+  bool assignPatches(const Surroundings& s, TensorCorner& corner) const
+  {
+    return std::all_of(s.walls.begin(), s.walls.end(),
+      [&](const FaceAtVertex& f)
+      {
+        int& patch = corner.patch[corner.wallOf(f.normal)];
+        patch = patch == 0 ? f.patch : patch;
+        return plan_[patch] == plan_[f.patch];
+      });
+  }
+
+  // Between walls of different layers the column rises to each level of both, up to the smaller number of them.
+  void bend(const TensorCorner& corner, Column& column)
+  {
+    bool alike = true;
+    for (int w = 0; w < corner.walls; ++w)
+    {
+      alike = alike && plan_[corner.patch[w]] == plan_[column.patch];
+      column.asked = std::min(column.asked, plan_[corner.patch[w]].numberOfLayers);
+    }
+    column.levels = column.asked;
+    if (alike)
+    {
+      return;
+    }
+    std::vector<Vector3> places;
+    for (int level = 0; level <= column.asked; ++level)
+    {
+      places.push_back(column.base);
+      for (int w = 0; w < corner.walls; ++w)
+      {
+        places.back() += set_.heights[corner.patch[w]].height(level) * corner.rise[w];
+      }
+    }
+    column.direction = (1 / set_.thickness(column)) * (places.back() - column.base);
+    column.bend = static_cast<Index>(set_.bends.size());
+    set_.bends.push_back(std::move(places));
   }
 
   bool aimFan(

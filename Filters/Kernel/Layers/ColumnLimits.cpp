@@ -28,6 +28,16 @@ void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)
     const int level = levelsOfIsotropicSize(set.heightsOf(c), plan[c.patch].isotropicFraction, c.size);
     c.limit(level, StopReason::IsotropicSize);
   }
+  for (const TensorCorner& corner : set.corners)
+  {
+    Column& c = set.columns[corner.column];
+    for (int w = 0; w < corner.walls; ++w)
+    {
+      const int patch = corner.patch[w];
+      const int level = levelsOfIsotropicSize(set.heights[patch], plan[patch].isotropicFraction, c.size);
+      c.limit(level, StopReason::IsotropicSize);
+    }
+  }
 }
 
 namespace
@@ -74,7 +84,7 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
   for (const Column& c : set.columns)
   {
     reach.push_back(set.thickness(c));
-    if (reach.back() < highest)
+    if (reach.back() < highest || c.bend != None)
     {
       queue.emplace(reach.back(), static_cast<Index>(reach.size() - 1));
     }
@@ -90,6 +100,7 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
     }
     for (const Index face : stars.facesAt(c.root))
     {
+      const int patch = mesh.boundaryFace(face).patch;
       for (const Index v : mesh.boundaryVertices(face))
       {
         const Index j = set.standingAt(v);
@@ -98,7 +109,9 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
           continue;
         }
         Column& other = set.columns[j];
-        const double allowed = height + LargestSlope * distance(c.base, other.base);
+        const double allowed =
+          (height * set.shareOver(patch, c) + LargestSlope * distance(c.base, other.base)) /
+          set.shareOver(patch, other);
         if (reach[j] > allowed)
         {
           reach[j] = allowed;

@@ -24,6 +24,7 @@ struct TensorCorner
 {
   Index column = None;
   int walls = 0;                   // 2 or 3
+  std::array<int, 3> patch{};      // whose heights the levels above each wall have
   std::array<Vector3, 3> normal{}; // of each wall at the point, unit, into the fluid
   std::array<Vector3, 3> rise{};   // the step that rises by one above that wall and stays in the others
 

@@ -100,12 +100,44 @@ TEST(TensorCorners, NewPointsOfTheWallsAreReported)
   EXPECT_EQ(onWall.size(), 2 * 25 - 5 + 2u * 5u * 5u);
 }
 
-TEST(TensorCorners, WallsOfDifferentLayersMeetInOneColumn)
+TEST(TensorCorners, WallsKeepTheirOwnHeights)
 {
   LayerPlan plan = planFor(7, { XLow, ZLow }, 1e-4, 8);
-  plan[XLow].firstHeight = 2e-4;
+  plan[XLow].firstHeight = 3e-3;
+  plan[XLow].growthRate = 1.1;
   const auto enriched = enrichAndCheck(make({ 5, 5, 5 }), patches(PatchType::Symmetry), plan);
-  EXPECT_EQ(enriched.report.pointsRequested, enriched.report.columns * 8);
+  expectGrids(enriched, { 2 * 36 - 6, 6, 0 }, 8);
+  const LayerHeights overX(plan[XLow]);
+  const LayerHeights overZ(plan[ZLow]);
+  for (const int i : { 0, 1, 5, 8 })
+  {
+    for (const int j : { 0, 1, 5, 8 })
+    {
+      EXPECT_TRUE(hasPoint(enriched, { overX.height(i), 0.4, overZ.height(j) })) << i << ' ' << j;
+    }
+  }
+  for (const WallPoint& point : enriched.wallPoints)
+  {
+    EXPECT_EQ(point.layersAchieved, point.layersAsked);
+    EXPECT_NEAR(point.firstHeightAchieved, point.firstHeightAsked, 1e-12);
+  }
+}
+
+TEST(TensorCorners, ACornerHasTheLayersThatBothWallsHave)
+{
+  LayerPlan plan = planFor(7, { XLow, YLow, ZLow }, 1e-4, 8);
+  plan[XLow].numberOfLayers = 5;
+  plan[YLow].firstHeight = 2e-4;
+  const auto enriched = enrichAndCheck(make({ 5, 5, 5 }), patches(PatchType::Symmetry), plan);
+  EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+  EXPECT_EQ(enriched.report.grids.made, enriched.report.grids.planned);
+  const LayerHeights overX(plan[XLow]);
+  const LayerHeights overY(plan[YLow]);
+  const LayerHeights overZ(plan[ZLow]);
+  EXPECT_TRUE(hasPoint(enriched, { overX.height(5), 0.4, overZ.height(5) }));
+  EXPECT_FALSE(hasPoint(enriched, { overX.height(5), 0.4, overZ.height(6) }));
+  EXPECT_TRUE(hasPoint(enriched, { 0.4, overY.height(8), overZ.height(8) }));
+  EXPECT_TRUE(hasPoint(enriched, { overX.height(3), overY.height(2), overZ.height(5) }));
 }
 
 TEST(TensorCorners, LayersTooThickForTheGridKeepTheirColumns)
