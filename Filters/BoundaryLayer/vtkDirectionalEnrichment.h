@@ -19,7 +19,7 @@
  * After R. Loehner, Generation of non-isotropic unstructured grids via directional enrichment, Int. J.
  * Numer. Meth. Engng 49 (2000) 219-232.
  *
- * @sa vtkRANSPointRemoval vtkIsotropicTetMesher vtkMeshQualityReport
+ * @sa vtkRANSPointRemoval vtkIsotropicTetMesher vtkPrismRecombination vtkMeshQualityReport
  */
 #ifndef vtkDirectionalEnrichment_h
 #define vtkDirectionalEnrichment_h
