@@ -69,17 +69,32 @@ def of_grid(grid):
     """The mesh that a vtkUnstructuredGrid of the data contract is."""
     ids = vtk_to_numpy(grid.GetCellData().GetArray("PatchId"))
     names = grid.GetFieldData().GetAbstractArray("PatchNames")
-    cells, faces = {}, {}
-    for kind, points, patch in zip(*cells_of(grid), ids):
-        if kind in (5, 9):
-            faces.setdefault(patch, []).append(points)
-        else:
-            cells.setdefault(VTK_SIZES[kind], []).append(points)
-    return Mesh(vtk_to_numpy(grid.GetPoints().GetData()), {k: np.array(v) for k, v in cells.items()},
-                {names.GetValue(p): faces[p] for p in sorted(faces)})
+    kinds = vtk_to_numpy(grid.GetCellTypesArray())
+    faces = {patch: [*rows_of(grid, (ids == patch) & (kinds == 5)), *rows_of(grid, (ids == patch) & (kinds == 9))]
+             for patch in np.unique(ids[(kinds == 5) | (kinds == 9)])}
+    return Mesh(vtk_to_numpy(grid.GetPoints().GetData()), volume_of(grid),
+                {names.GetValue(int(patch)): of_patch for patch, of_patch in faces.items()})
+
+
+def volume_of(grid):
+    """{number of points: (n, k) array} of the volume cells."""
+    kinds = vtk_to_numpy(grid.GetCellTypesArray())
+    cells = {size: rows_of(grid, kinds == kind) for kind, size in VTK_SIZES.items() if kind >= 10}
+    return {size: rows for size, rows in cells.items() if len(rows)}
+
+
+def rows_of(grid, mask):
+    """The points of the cells that the mask says, which have one size, a row a cell."""
+    chosen = np.flatnonzero(mask)
+    if not len(chosen):
+        return np.empty((0, 0), int)
+    offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    size = offsets[chosen[0] + 1] - offsets[chosen[0]]
+    return vtk_to_numpy(grid.GetCells().GetConnectivityArray())[offsets[chosen][:, None] + np.arange(size)]
 
 
 def cells_of(grid):
+    """VTK's types, and the points of each cell."""
     kinds = vtk_to_numpy(grid.GetCellTypesArray())
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     points = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -183,21 +198,21 @@ def read_gmsh(path):
 
 def numbers_in(points, reference):
     """For each point, the row of the reference that it is equal to, bit for bit."""
-    rows = {row.tobytes(): i for i, row in enumerate(np.ascontiguousarray(reference))}
-    return np.array([rows[row.tobytes()] for row in np.ascontiguousarray(points)])
+    of_reference, of_points = (np.ascontiguousarray(a).view("V%d" % (8 * 3)).ravel() for a in (reference, points))
+    order = np.argsort(of_reference, kind="stable")
+    rows = order[np.searchsorted(of_reference, of_points, sorter=order).clip(max=len(order) - 1)]
+    assert (of_reference[rows] == of_points).all(), "a patch has a point that the volume has not"
+    return rows
 
 
 def of_blocks(volume, surfaces):
     """A mesh of data sets: a volume, and surfaces by name whose points lie on its points."""
     points = vtk_to_numpy(volume.GetPoints().GetData()).astype(float)
-    cells = {}
-    for kind, nodes in zip(*cells_of(volume)):
-        cells.setdefault(VTK_SIZES[kind], []).append(nodes)
     patches = {}
     for name, surface in surfaces:
         of_mesh = numbers_in(vtk_to_numpy(surface.GetPoints().GetData()).astype(float), points)
         patches[name] = [of_mesh[face] for face in faces_of(surface)]
-    return Mesh(points, {k: np.array(v) for k, v in cells.items()}, patches)
+    return Mesh(points, volume_of(volume), patches)
 
 
 def faces_of(surface):
