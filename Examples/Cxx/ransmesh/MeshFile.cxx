@@ -84,7 +84,8 @@ void checkFolderWritable(const std::string& path)
   {
     folder = folder.parent_path();
   }
-  if (access(folder.c_str(), W_OK) != 0)
+  errno = fs::is_directory(folder) ? 0 : ENOTDIR;
+  if (errno != 0 || access(folder.c_str(), W_OK) != 0)
   {
     throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
   }
