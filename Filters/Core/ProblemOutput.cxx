@@ -84,7 +84,7 @@ void writeProblems(
   }
   output->SetPoints(points);
   output->SetPolys(cells);
-  output->GetCellData()->AddArray(reasons);
+  output->GetCellData()->SetScalars(reasons); // ParaView colours by it
   output->GetCellData()->AddArray(partners);
   output->GetCellData()->AddArray(patches);
   vtkNew<vtkStringArray> names;

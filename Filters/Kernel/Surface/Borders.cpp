@@ -88,6 +88,7 @@ private:
   void keep(const std::vector<Index>& points, bool closed)
   {
     std::vector<Vector3> places;
+    places.reserve(points.size());
     for (const Index v : points)
     {
       places.push_back(surface_.points[v]);

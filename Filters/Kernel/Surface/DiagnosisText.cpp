@@ -76,6 +76,7 @@ std::vector<PairGroup> groupsOf(const Fault& fault, const SurfaceMesh& surface)
     group.triangles.insert({ s, t });
   }
   std::vector<PairGroup> sorted;
+  sorted.reserve(groups.size());
   for (auto& [key, group] : groups)
   {
     sorted.push_back(std::move(group));
@@ -135,7 +136,7 @@ std::string countText(const Fault& fault)
       return counted(n, "pair of triangles cuts or touches", "pairs of triangles cut or touch") +
         " each other";
     case SurfaceFault::NearSheets:
-      return counted(n, "pair of triangles nearly touches", "pairs of triangles nearly touch") +
+      return counted(n, "pair of triangles that nearly touch", "pairs of triangles that nearly touch") +
         " each other";
     default:
       return counted(n, "sheet", "sheets") + " inside the fluid";

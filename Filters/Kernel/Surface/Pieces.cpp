@@ -72,9 +72,9 @@ private:
     if (pieceOf_[r] < 0)
     {
       pieceOf_[r] = static_cast<int>(pieces_.size());
-      pieces_.push_back({});
+      pieces_.emplace_back();
       pieces_.back().extent = { surface_.points[v[0]], surface_.points[v[0]] };
-      members_.push_back({});
+      members_.emplace_back();
     }
     SurfacePiece& piece = pieces_[pieceOf_[r]];
     members_[pieceOf_[r]].push_back(t);

@@ -72,7 +72,8 @@ std::string workingRepair(
   const std::vector<BorderLoop> borders = findBorders(merged);
   for (const BorderLoop& border : borders)
   {
-    options.largestHole = std::max(options.largestHole, border.extent.largestLength());
+    const bool isHole = !holdEdge(closedBy, border.extent.low, border.extent.high);
+    options.largestHole = std::max(options.largestHole, isHole ? border.extent.largestLength() : 0);
   }
   if (borders.empty() || borders.size() > MostHoles)
   {
@@ -111,6 +112,7 @@ SurfaceVerdict refusal(const SurfaceMesh& surface, const PatchTable& patches, co
 std::vector<std::string> textsOf(const std::vector<Repair>& repairs)
 {
   std::vector<std::string> texts;
+  texts.reserve(repairs.size());
   for (const Repair& repair : repairs)
   {
     texts.push_back(repair.text);
