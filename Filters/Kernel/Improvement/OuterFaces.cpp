@@ -20,7 +20,7 @@ void OuterFaces::turnTo(std::span<const Index> tets, std::initializer_list<Index
   cavity_.tets.assign(tets.begin(), tets.end());
   cavity_.starredFaces.clear();
   faces_.clear();
-  inCavity_.clear(mesh_.tetSlots());
+  inCavity_.clear();
   for (const Index t : tets)
   {
     inCavity_.set(t);

@@ -1,7 +1,7 @@
 // A set of tetrahedra to be starred again from a vertex yet to be chosen, and how good that would be.
 #pragma once
 
-#include "Mesh/Marks.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/Star.h"
 #include "Mesh/TetMesh.h"
 
@@ -37,7 +37,7 @@ private:
 
   const TetMesh& mesh_;
   Cavity cavity_;
-  Marks inCavity_;
+  LocalMarks inCavity_;
   std::vector<Face> faces_; // but for those to be starred
 };
 } // namespace ransmesh

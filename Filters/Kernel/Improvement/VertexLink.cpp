@@ -10,14 +10,9 @@ namespace ransmesh
 {
 void VertexLink::turnTo(Index v)
 {
-  if (++stamp_ == 0) // the stamps have been through: begin anew
-  {
-    seenTet_.clear();
-    numbers_.clear();
-    stamp_ = 1;
-  }
-  seenTet_.resize(std::max(seenTet_.size(), mesh_.tetSlots()), 0);
-  numbers_.resize(std::max(numbers_.size(), mesh_.vertexCount()));
+  inBall_.clear();
+  inGrown_.clear();
+  numbers_.clear();
   centre_ = mesh_.point(v);
   ends_.clear();
   places_.clear();
@@ -31,7 +26,7 @@ void VertexLink::turnTo(Index v)
 void VertexLink::collectBall(Index v)
 {
   ball_.assign(1, mesh_.tetAt(v));
-  seenTet_[ball_.front()] = stamp_;
+  inBall_.set(ball_.front());
   for (std::size_t i = 0; i < ball_.size(); ++i)
   {
     const Tetrahedron& tet = mesh_.tet(ball_[i]);
@@ -39,9 +34,8 @@ void VertexLink::collectBall(Index v)
     for (int f = 0; f < 4; ++f)
     {
       const HalfFace other = tet.neighbour[f];
-      if (f != cornerOfV && !isBoundary(other) && seenTet_[tetOf(other)] != stamp_)
+      if (f != cornerOfV && !isBoundary(other) && inBall_.set(tetOf(other)))
       {
-        seenTet_[tetOf(other)] = stamp_;
         ball_.push_back(tetOf(other));
       }
     }
@@ -51,14 +45,13 @@ void VertexLink::collectBall(Index v)
 
 int VertexLink::localNumber(Index end)
 {
-  LocalNumber& local = numbers_[end];
-  if (local.stamp != stamp_)
+  const int number = numbers_.add(end);
+  if (number == static_cast<int>(ends_.size()))
   {
-    local = { stamp_, static_cast<int>(ends_.size()) };
     ends_.push_back(end);
     places_.push_back(mesh_.point(end) - centre_);
   }
-  return local.number;
+  return number;
 }
 
 // The face opposite to a corner.
@@ -161,10 +154,7 @@ std::size_t VertexLink::countPoor(int apex, double floor) const
 
 void VertexLink::undoGrowth()
 {
-  for (const Index t : grown_)
-  {
-    seenTet_[t] = 0;
-  }
+  inGrown_.clear();
   grown_.clear();
   starred_.clear();
   faces_.resize(ball_.size()); // one for each tetrahedron at v
@@ -173,7 +163,7 @@ void VertexLink::undoGrowth()
 void VertexLink::growBeyond(HalfFace face)
 {
   const Index t = tetOf(face);
-  seenTet_[t] = stamp_;
+  inGrown_.set(t);
   grown_.push_back(t);
   for (int f = 0; f < 4; ++f)
   {

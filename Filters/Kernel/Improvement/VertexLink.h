@@ -3,10 +3,10 @@
 #pragma once
 
 #include "Boundary/BoundaryRules.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -62,17 +62,15 @@ private:
     std::array<int, 3> corner; // local numbers
     HalfFace beyond;
   };
-  struct LocalNumber
-  {
-    std::uint32_t stamp = 0;
-    int number = 0;
-  };
 
   void collectBall(Index v);
   void addFace(const Tetrahedron& tet, int corner);
   void undoGrowth();
   void growBeyond(HalfFace face);
-  bool isInside(HalfFace h) const { return !isBoundary(h) && seenTet_[tetOf(h)] == stamp_; }
+  bool isInside(HalfFace h) const
+  {
+    return !isBoundary(h) && (inBall_.test(tetOf(h)) || inGrown_.test(tetOf(h)));
+  }
   int localNumber(Index end);
   static double signedSquare(const Face& face, const Vector3& apex, double squareOfApex);
 
@@ -81,12 +79,12 @@ private:
   std::vector<Index> ends_;
   std::vector<Vector3> places_;
   std::vector<Face> faces_;
-  std::vector<std::uint32_t> seenTet_;
-  std::vector<LocalNumber> numbers_; // by vertex
+  LocalMarks inBall_;
+  LocalMarks inGrown_;
+  LocalNumbers numbers_; // of vertices
   std::vector<Index> grown_;
   std::vector<Index> starred_;
   std::size_t endsAtV_ = 0;
-  std::uint32_t stamp_ = 0;
   Vector3 centre_;
 };
 } // namespace ransmesh

@@ -190,7 +190,7 @@ private:
   {
     cavity_.tets.clear();
     cavity_.starredFaces.clear();
-    inCavity_.clear(mesh_.tetSlots());
+    inCavity_.clear();
     std::vector<Index> ends;
     for (const Index b : faces)
     {
@@ -341,7 +341,7 @@ private:
   FanFaces faces_;
   Star star_;
   Traversal traversal_;
-  Marks inCavity_;
+  LocalMarks inCavity_;
   Cavity cavity_;
   std::vector<Index> ball_;
   std::vector<Index> opened_;

@@ -134,7 +134,7 @@ bool FrontMoves::buildCavity(
   const Column& column, Index apex, double wanted, std::size_t growth, double& worst)
 {
   cavity_.tets = ball_;
-  inCavity_.clear(mesh_.tetSlots());
+  inCavity_.clear();
   for (const Index t : ball_)
   {
     inCavity_.set(t);

@@ -56,7 +56,7 @@ private:
   SideStar sides_;
   Star star_;
   Traversal traversal_;
-  Marks inCavity_;
+  LocalMarks inCavity_;
   std::vector<double> firstQuality_; // around each top before its first single move; < 0: not known yet
   std::vector<Index> ball_;
   Cavity cavity_;

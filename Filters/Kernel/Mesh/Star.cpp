@@ -3,7 +3,6 @@
 #include "Geometry/Predicates.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace ransmesh
 {
@@ -53,7 +52,7 @@ StarVerdict Star::check(const Cavity& cavity, Index apex)
 void Star::collectTets(const Cavity& cavity)
 {
   tets_.clear();
-  inCavity_.clear(mesh_.tetSlots());
+  inCavity_.clear();
   for (const Index t : cavity.tets)
   {
     if (inCavity_.set(t))
@@ -65,7 +64,7 @@ void Star::collectTets(const Cavity& cavity)
 
 void Star::collectFaces(const Cavity& cavity, Index apex)
 {
-  isStarred_.clear(mesh_.boundarySlots());
+  isStarred_.clear();
   for (const Index b : cavity.starredFaces)
   {
     isStarred_.set(b);
@@ -122,19 +121,19 @@ bool Star::pairEdges(Index apex)
       const Index b = v[(j + 2) % 3];
       if (a != apex && b != apex)
       {
-        edges_.push_back({ std::min(a, b), std::max(a, b), static_cast<Index>(i), j });
+        const auto low = static_cast<std::uint64_t>(std::min(a, b));
+        edges_.push_back(
+          { low << 32 | static_cast<std::uint64_t>(std::max(a, b)), static_cast<Index>(i), j });
       }
     }
   }
   std::sort(edges_.begin(), edges_.end(),
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
+    [](const EdgeUse& a, const EdgeUse& b) { return a.ends != b.ends ? a.ends < b.ends : a.face < b.face; });
   if (edges_.size() % 2 != 0)
   {
     return false;
   }
-  const auto same = [this](std::size_t i, std::size_t j)
-  { return edges_[i].low == edges_[j].low && edges_[i].high == edges_[j].high; };
+  const auto same = [this](std::size_t i, std::size_t j) { return edges_[i].ends == edges_[j].ends; };
   for (std::size_t i = 0; i < edges_.size(); i += 2)
   {
     if (!same(i, i + 1) || (i + 2 < edges_.size() && same(i, i + 2)))
@@ -165,7 +164,7 @@ bool Star::someGluedToNothing() const
 
 void Star::findLostVertices(Index apex)
 {
-  kept_.clear(mesh_.vertexCount());
+  kept_.clear();
   kept_.set(apex);
   for (const OuterFace& face : faces_)
   {

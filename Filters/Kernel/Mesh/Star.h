@@ -6,10 +6,11 @@
 // same). Decide first, act after: a refusal changes nothing and has a name.
 #pragma once
 
-#include "Mesh/Marks.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 namespace ransmesh
@@ -67,10 +68,9 @@ private:
     Kind kind;
     Index created; // number in newTets_, or None
   };
-  struct EdgeUse // an edge (low, high) of an outer face, opposite to its corner
+  struct EdgeUse // an edge of an outer face, opposite to its corner
   {
-    Index low;
-    Index high;
+    std::uint64_t ends; // the lower and the higher one in one number, which is quicker to sort by
     Index face;
     int corner;
   };
@@ -85,9 +85,9 @@ private:
   void join(const EdgeUse& first, const EdgeUse& second);
 
   TetMesh& mesh_;
-  Marks inCavity_;
-  Marks isStarred_;
-  Marks kept_;
+  LocalMarks inCavity_;
+  LocalMarks isStarred_;
+  LocalMarks kept_;
   std::vector<Index> tets_;
   std::vector<OuterFace> faces_;
   std::vector<EdgeUse> edges_;

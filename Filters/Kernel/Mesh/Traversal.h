@@ -1,7 +1,7 @@
 // Walks over a mesh: the ball of a vertex, the ring of an edge.
 #pragma once
 
-#include "Mesh/LocalMarks.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
 
 #include <vector>

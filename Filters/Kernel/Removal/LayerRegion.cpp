@@ -3,7 +3,7 @@
 #include "Geometry/Distance.h"
 #include "Geometry/SpatialOrder.h"
 #include "Geometry/TetrahedronMeasures.h"
-#include "Mesh/Marks.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/Traversal.h"
 
 #include <algorithm>
@@ -21,7 +21,6 @@ struct WallTriangle
   std::array<Index, 3> vertex;
   int patch;
   double perimeter;
-  double reach;
 };
 
 // Remembers the pairs that came lately: those that come again soon are most.
@@ -40,12 +39,14 @@ private:
   std::vector<std::uint64_t> pairs_ = std::vector<std::uint64_t>(4096, ~std::uint64_t{ 0 });
 };
 
-// For quick bounds: a sphere that holds a triangle, grown by the triangle's reach, and its plane.
-struct Bounds
+// For quick bounds, all in one line of the cache: a sphere that holds a triangle, grown by the triangle's reach, and
+// its plane.
+struct alignas(64) Bounds
 {
   Vector3 centre;
   double radius;
   Vector3 normal; // unit, or zero
+  double reach;
 };
 
 // The walls' triangles, those at each vertex, and how far the region reaches from each.
@@ -60,13 +61,23 @@ public:
     findReaches(plan, margin);
   }
 
-  bool isWall(Index v) const { return first_[v] != first_[v + 1]; }
+  bool isWall(Index v) const { return isWall_[v] != 0; }
+  // Has the tetrahedron vertices of walls and others? Without branches: whether one is of a wall is a toss.
+  bool isAtWall(const Tetrahedron& tet) const
+  {
+    int ofWalls = 0;
+    for (const Index v : tet.vertex)
+    {
+      ofWalls += isWall_[v];
+    }
+    return ofWalls != 0 && ofWalls != 4;
+  }
   // The triangles at a vertex of the walls.
   std::span<const Index> at(Index v) const
   {
     return { triangleAt_.data() + first_[v], triangleAt_.data() + first_[v + 1] };
   }
-  double reach(Index t) const { return triangles_[t].reach; }
+  double reach(Index t) const { return bounds_[t].reach; }
 
   // The quality of the tetrahedron from triangle t to the end of its reach.
   double attainableQuality(Index t) const
@@ -75,7 +86,7 @@ public:
     const Vector3& a = mesh_.point(w.vertex[0]);
     const Vector3& b = mesh_.point(w.vertex[1]);
     const Vector3& c = mesh_.point(w.vertex[2]);
-    const Vector3 top = bounds_[t].centre + w.reach * bounds_[t].normal;
+    const Vector3 top = bounds_[t].centre + bounds_[t].reach * bounds_[t].normal;
     return std::clamp(quality(a, b, c, top), 0.0, 1.0);
   }
 
@@ -83,12 +94,14 @@ public:
   bool reaches(const Vector3& p, Index t) const
   {
     const Bounds& bounds = bounds_[t];
-    const WallTriangle& w = triangles_[t];
     const Vector3 offset = p - bounds.centre;
-    return std::fabs(dot(offset, bounds.normal)) <= w.reach &&
-      dot(offset, offset) <= bounds.radius * bounds.radius &&
-      distanceToTriangle(p, mesh_.point(w.vertex[0]), mesh_.point(w.vertex[1]), mesh_.point(w.vertex[2])) <=
-      w.reach;
+    if (!(std::fabs(dot(offset, bounds.normal)) <= bounds.reach) ||
+      !(dot(offset, offset) <= bounds.radius * bounds.radius))
+    {
+      return false;
+    }
+    const auto& v = triangles_[t].vertex;
+    return distanceToTriangle(p, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2])) <= bounds.reach;
   }
 
   // Walks over the wall from triangle t to one whose centre is closer to p than those around it.
@@ -143,7 +156,7 @@ private:
       if (face.isAlive() && patch < plan.size() && plan[patch].hasLayers())
       {
         const auto v = mesh_.boundaryVertices(static_cast<Index>(b));
-        triangles_.push_back({ v, face.patch, addBounds(v), 0 });
+        triangles_.push_back({ v, face.patch, addBounds(v) });
       }
     }
   }
@@ -156,7 +169,7 @@ private:
     const Vector3& c = mesh_.point(v[2]);
     const Vector3 centre = (1.0 / 3) * (a + b + c);
     const double radius = std::max({ distance(centre, a), distance(centre, b), distance(centre, c) });
-    bounds_.push_back({ centre, radius, normalized(cross(b - a, c - a)) });
+    bounds_.push_back({ centre, radius, normalized(cross(b - a, c - a)), 0 });
     return distance(a, b) + distance(b, c) + distance(c, a);
   }
 
@@ -170,8 +183,10 @@ private:
         ++first_[v + 1];
       }
     }
+    isWall_.resize(mesh_.vertexCount());
     for (std::size_t v = 1; v < first_.size(); ++v)
     {
+      isWall_[v - 1] = first_[v] != 0;
       first_[v] += first_[v - 1];
     }
     triangleAt_.resize(3 * triangles_.size());
@@ -210,11 +225,11 @@ private:
     }
     for (std::size_t i = 0; i < triangles_.size(); ++i)
     {
-      WallTriangle& t = triangles_[i];
+      const WallTriangle& t = triangles_[i];
       const double size = std::max({ sizes[t.vertex[0]], sizes[t.vertex[1]], sizes[t.vertex[2]] });
       const double thickness = limitedThickness(heights[t.patch], plan[t.patch].isotropicFraction, size);
-      t.reach = thickness > 0 ? thickness + margin * size : 0;
-      bounds_[i].radius += t.reach;
+      bounds_[i].reach = thickness > 0 ? thickness + margin * size : 0;
+      bounds_[i].radius += bounds_[i].reach;
     }
   }
 
@@ -223,6 +238,7 @@ private:
   std::vector<Bounds> bounds_; // of triangles_
   std::vector<Index> first_;   // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
   std::vector<Index> triangleAt_;
+  std::vector<char> isWall_; // by vertex; small, so that it stays in the cache
 };
 
 // Finds the vertices inside the region, from the walls outward: for each, a wall triangle within whose
@@ -262,7 +278,7 @@ private:
     for (std::size_t t = 0; t < mesh_.tetSlots(); ++t)
     {
       const Tetrahedron& tet = mesh_.tet(static_cast<Index>(t));
-      if (!tet.isAlive())
+      if (!tet.isAlive() || !walls_.isAtWall(tet))
       {
         continue;
       }
@@ -305,7 +321,7 @@ private:
   {
     const Index triangle = triangle_[from];
     traversal_.ball(from, ball_);
-    offeredNow_.clear(mesh_.vertexCount());
+    offeredNow_.clear();
     for (const Index t : ball_)
     {
       for (const Index v : mesh_.tet(t).vertex)
@@ -343,7 +359,7 @@ private:
   const Walls& walls_;
   Traversal traversal_;
   std::vector<Index> ball_;
-  Marks offeredNow_;
+  LocalMarks offeredNow_;
   RecentPairs offered_;
   std::vector<Index> triangle_; // by vertex: one that reaches it; or else the last one looked at
   std::vector<char> isInside_;

@@ -12,6 +12,7 @@
 #include <array>
 #include <iterator>
 #include <string>
+#include <unordered_map>
 
 namespace ransmesh
 {
@@ -38,7 +39,8 @@ constexpr RemovalLimits Passes[] = {
 };
 constexpr int LooseningFrom = 5; // pass
 constexpr int DrivingFrom = 7;
-constexpr double Poor = 0.12; // quality below which swaps are tried
+constexpr int PatienceWithSurfaces = 2; // refusals by the surface, once passes are the same for these
+constexpr double Poor = 0.12;           // quality below which swaps are tried
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
 class Removal
@@ -81,6 +83,8 @@ public:
       separateRidges(result);
       improve(result);
     }
+    std::copy_if(givenUp_.begin(), givenUp_.end(), std::back_inserter(left),
+      [this](Index v) { return region_.isMarked[v] != 0; }); // others may have taken them along
     result.remaining = left;
     result.removed = result.marked - left.size();
     result.remainingOnWalls = static_cast<std::size_t>(
@@ -114,10 +118,27 @@ private:
       {
         const RemovalVerdict verdict = attempt(left[i], limitsAt(left[i], pass));
         ++countOf(result.verdicts, verdict);
+        noteRefusal(left[i], verdict, pass);
       }
     }
-    std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
+    std::erase_if(left, [this](Index v) { return !region_.isMarked[v] || isGivenUp(v); });
     return !stopped;
+  }
+
+  // From DrivingFrom on, only the quality asked for becomes less from pass to pass: that does not help where the
+  // surface refuses.
+  void noteRefusal(Index v, RemovalVerdict verdict, int pass)
+  {
+    if (pass >= DrivingFrom && isOfSurface(verdict) && ++refusedBySurface_[v] == PatienceWithSurfaces)
+    {
+      givenUp_.push_back(v);
+    }
+  }
+
+  bool isGivenUp(Index v) const
+  {
+    const auto found = refusedBySurface_.find(v);
+    return found != refusedBySurface_.end() && found->second >= PatienceWithSurfaces;
   }
 
   // A pass leaves about half of its points to the next: stillToDo counts with that.
@@ -311,8 +332,10 @@ private:
   ValenceReduction valence_;
   Traversal traversal_;
   std::vector<Index> ball_;
-  std::vector<Index> wallFaces_; // made by removal of points of walls
-  std::vector<Index> poor_;      // tetrahedra that were poor when they were made
+  std::vector<Index> wallFaces_;                    // made by removal of points of walls
+  std::vector<Index> poor_;                         // tetrahedra that were poor when they were made
+  std::unordered_map<Index, int> refusedBySurface_; // how often, of the points left
+  std::vector<Index> givenUp_;
   double progress_ = 0;
 };
 

@@ -24,6 +24,13 @@ enum class RemovalVerdict
 
 const char* nameOf(RemovalVerdict verdict);
 
+// Was it the shape of the surface that refused? Worse tetrahedra do not help then.
+inline bool isOfSurface(RemovalVerdict verdict)
+{
+  return verdict == RemovalVerdict::SurfaceTurned || verdict == RemovalVerdict::SurfaceMoved ||
+    verdict == RemovalVerdict::PoorTriangle;
+}
+
 // How often each verdict was given.
 using RemovalTally = std::array<std::size_t, static_cast<std::size_t>(RemovalVerdict::Count)>;
 

@@ -42,7 +42,7 @@ void ValenceReduction::lookAtAllEdges()
 {
   cuts_.clear();
   traversal_.ball(vertex_, ball_);
-  seen_.clear(mesh_.vertexCount());
+  seen_.clear();
   seen_.set(vertex_);
   for (const Index t : ball_)
   {
@@ -183,7 +183,7 @@ bool ValenceReduction::apply(const Cut& cut)
     }
     surface_.remember();
   }
-  seen_.clear(mesh_.vertexCount());
+  seen_.clear();
   for (const Index t : ring_)
   {
     for (const Index w : mesh_.tet(t).vertex)

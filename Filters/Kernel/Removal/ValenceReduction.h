@@ -65,7 +65,7 @@ private:
   Traversal traversal_;
   OuterFaces cavity_;
   SurfaceStar surface_;
-  Marks seen_;
+  LocalMarks seen_;
   std::vector<Index> ball_;
   std::vector<Index> ring_;
   std::vector<Index> apexes_;

@@ -1,4 +1,4 @@
-#include "Mesh/LocalMarks.h"
+#include "Mesh/LocalNumbers.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +31,24 @@ TEST(LocalMarks, hasWhatWasMarkedSinceItWasCleared)
     {
       EXPECT_TRUE(marks.test(n));
     }
+  }
+}
+
+TEST(LocalNumbers, areGivenInOrder)
+{
+  ransmesh::LocalNumbers numbers;
+  for (int round = 0; round < 2; ++round)
+  {
+    numbers.clear();
+    EXPECT_FALSE(numbers.has(70));
+    for (int i = 0; i < 2000; ++i) // it grows on the way
+    {
+      EXPECT_EQ(numbers.add(7 * i + round), i);
+    }
+    EXPECT_EQ(numbers.add(70 + round), 10);
+    EXPECT_TRUE(numbers.has(70 + round));
+    EXPECT_FALSE(numbers.has(71 + round));
+    EXPECT_EQ(numbers.count(), 2000);
   }
 }
 } // namespace
