@@ -6,7 +6,7 @@ namespace
 {
 constexpr std::uint32_t Nothing = FaceChains::None;
 constexpr std::uint32_t Boundary = Nothing - 1;
-constexpr vtkIdType SmallestPart = 20000;
+constexpr vtkIdType SmallestPart = 1000;
 constexpr vtkIdType Parts = 9;
 
 template <class Points>

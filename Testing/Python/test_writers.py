@@ -10,7 +10,7 @@ import unittest
 import mesh_files
 import writer_meshes
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
 from ransmeshing import vtkGmshMeshWriter, vtkOpenFOAMMeshWriter, vtkSolverMeshWriter
 
@@ -109,28 +109,13 @@ class ReadBack(WriterTest):
             mesh.assert_same(read)
 
     def test_the_order_of_cells_and_the_kind_of_arrays_do_not_matter(self):
-        grid = writer_meshes.all_kinds()
-        mesh = mesh_files.of_grid(grid)
-        mixed = vtkUnstructuredGrid()
-        order = list(range(grid.GetNumberOfCells()))[::-1]  # boundary first
-        mixed.SetPoints(grid.GetPoints())
-        cells = vtkCellArray()
-        cells.Use32BitStorage()
-        types, points = mesh_files.cells_of(grid)
-        for c in order:
-            cells.InsertNextCell(len(points[c]), [int(p) for p in points[c]])
-        mixed.SetCells([int(types[c]) for c in order], cells)
-        ids = type(grid.GetCellData().GetArray("PatchId"))()
-        ids.SetName("PatchId")
-        for c in order:
-            ids.InsertNextValue(grid.GetCellData().GetArray("PatchId").GetValue(c))
-        mixed.GetCellData().AddArray(ids)
-        mixed.SetFieldData(grid.GetFieldData())
-        for name in ("mesh.ugrid", "case/constant/polyMesh"):
-            read = FILES[name](self.written(mixed, name))
-            self.assertEqual([len(f) for f in read.patches.values()], [len(f) for f in mesh.patches.values()])
-            read.patches = dict(zip(mesh.patches, read.patches.values()))
-            mesh.assert_same(read)
+        for grid in (writer_meshes.all_kinds(), writer_meshes.ball(), writer_meshes.ball(prisms=True)):
+            mesh, mixed = mesh_files.of_grid(grid), writer_meshes.shuffled(grid)
+            for name in ("mesh.ugrid", "case/constant/polyMesh"):
+                read = FILES[name](self.written(mixed, name))
+                self.assertEqual([len(f) for f in read.patches.values()], [len(f) for f in mesh.patches.values()])
+                read.patches = dict(zip(mesh.patches, read.patches.values()))
+                mesh.assert_same(read)
 
 
 class PatchTypes(WriterTest):
@@ -194,7 +179,8 @@ class PatchTypes(WriterTest):
 @unittest.skipUnless(shutil.which("checkMesh"), "OpenFOAM is not there")
 class OpenFOAM(WriterTest):
     def test_check_mesh(self):
-        for grid in (writer_meshes.ball(), writer_meshes.ball(prisms=True), writer_meshes.all_kinds()):
+        for grid in (writer_meshes.ball(), writer_meshes.shuffled(writer_meshes.ball(prisms=True)),
+                     writer_meshes.all_kinds()):
             for file_type in (BINARY, ASCII):
                 self.written(grid, "case/constant/polyMesh", file_type=file_type)
                 text = self.check_mesh()

@@ -1,10 +1,12 @@
 """Meshes for the tests of writers."""
 import functools
 import os
+import random
 import sys
 
+import mesh_files
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from ransmeshing import vtkPrismRecombination
@@ -39,6 +41,24 @@ def grid_of(points, cells, patches):
     grid.GetFieldData().AddArray(names)
     grid.GetFieldData().AddArray(types)
     return grid
+
+
+def shuffled(grid):
+    """The same cells in a random order, boundary faces among them, with 32-bit connectivity."""
+    order = list(range(grid.GetNumberOfCells()))
+    random.Random(1).shuffle(order)
+    kinds, points = mesh_files.cells_of(grid)
+    cells, ids, mixed = vtkCellArray(), vtkIntArray(), vtkUnstructuredGrid()
+    cells.Use32BitStorage()
+    ids.SetName("PatchId")
+    for c in order:
+        cells.InsertNextCell(len(points[c]), [int(p) for p in points[c]])
+        ids.InsertNextValue(int(grid.GetCellData().GetArray("PatchId").GetTuple1(c)))
+    mixed.SetPoints(grid.GetPoints())
+    mixed.SetCells([int(kinds[c]) for c in order], cells)
+    mixed.GetCellData().AddArray(ids)
+    mixed.SetFieldData(grid.GetFieldData())
+    return mixed
 
 
 def all_kinds(turned=False):
