@@ -8,6 +8,7 @@
 
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -48,6 +49,14 @@ public:
   }
 
 private:
+  // Quotation marks would end it.
+  std::string fluidLabel() const
+  {
+    std::string name = mesh_.fluidName().substr(0, LongestName);
+    std::replace(name.begin(), name.end(), '"', '_');
+    return name;
+  }
+
   void writeNames()
   {
     file_.text("$PhysicalNames\n").number(labels_.size() + 1).text("\n");
@@ -55,7 +64,7 @@ private:
     {
       file_.text("2 ").number(mesh_.patches()[p].id).text(" \"").text(labels_[p]).text("\"\n");
     }
-    file_.text("3 1 \"").text(mesh_.fluidName()).text("\"\n$EndPhysicalNames\n");
+    file_.text("3 1 \"").text(fluidLabel()).text("\"\n$EndPhysicalNames\n");
   }
 
   void writePoints()

@@ -30,6 +30,19 @@ const char* typeOf(const BoundaryPatch& patch, const MeshView& mesh)
   return patch.type == PatchType::Wall ? "wall" : "patch";
 }
 
+// OpenFOAM takes what begins with a digit or a sign for a number.
+std::vector<std::string> foamLabels(std::vector<BoundaryPatch> patches)
+{
+  for (BoundaryPatch& patch : patches)
+  {
+    if (std::string_view("0123456789+-.").find(patch.name[0]) != std::string_view::npos)
+    {
+      patch.name.insert(0, "patch_");
+    }
+  }
+  return patchLabels(patches, "_-.+:");
+}
+
 class PolyMesh
 {
 public:
@@ -38,7 +51,7 @@ public:
     , folder_(folder + "/")
     , binary_(binary)
     , faces_(mesh, folder, binary)
-    , labels_(patchLabels(mesh.patches(), "_-.+:"))
+    , labels_(foamLabels(mesh.patches()))
   {
   }
 

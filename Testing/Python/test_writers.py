@@ -147,6 +147,30 @@ class PatchTypes(WriterTest):
         self.assertIn("body { type wall; inGroups 1(wall); nFaces 2; startFace 3; }", words)
         self.assertIn("roof { type patch; inGroups 1(inlet); nFaces 4;", words)
 
+    def test_names_that_formats_do_not_allow(self):
+        names = self.grid.GetFieldData().GetAbstractArray("PatchNames")
+        long = "a name, longer than thirty-two characters, "
+        for i, name in enumerate(("3", 'wing "left"; {a}', long + "1"), 1):
+            names.SetValue(i, name)
+        names.SetValue(0, 'air "dry"')
+        text = {}
+        for file in ("mesh.su2", "case/constant/polyMesh", "mesh.msh", "mesh.cgns"):
+            path = self.written(self.grid, file)
+            with open(path + ("/boundary" if file.endswith("polyMesh") else ""), "rb") as content:
+                text[file] = content.read().decode("latin-1")
+        self.assertIn("MARKER_TAG= 3\nMARKER_ELEMS= 2\n", text["mesh.su2"])
+        self.assertIn("MARKER_TAG= wing__left____a_\n", text["mesh.su2"])
+        self.assertIn("    patch_3\n    {", text["case/constant/polyMesh"])
+        self.assertIn('2 2 "wing _left_; {a}"\n', text["mesh.msh"])
+        self.assertIn('3 1 "air _dry_"\n', text["mesh.msh"])
+        self.assertEqual(list(mesh_files.read_cgns(self.path("mesh.cgns")).patches)[2], "a name_ longer than thirty-two c")
+        names.SetValue(1, long + "2")
+        self.written(self.grid, "mesh.cgns")
+        self.assertEqual(sorted(mesh_files.read_cgns(self.path("mesh.cgns")).patches)[:2],
+                         ["a name_ longer than thirty-two c", "a name_ longer than thirty-two_2"])
+        if shutil.which("checkMesh"):
+            self.check_mesh()
+
     def test_symmetry_is_a_plane_or_not(self):
         def kinds(faces):
             grid = writer_meshes.all_kinds()
