@@ -2,6 +2,7 @@
 
 #include "Boundary/SurfaceEdges.h"
 
+#include <algorithm>
 #include <map>
 
 namespace ransmesh
@@ -26,34 +27,33 @@ public:
 
   std::vector<BorderLoop> run()
   {
+    for (const Index start : startsOfChains())
+    {
+      walk(start);
+    }
     while (!next_.empty())
     {
-      walk(startOfChain());
+      walk(next_.begin()->first);
     }
     return std::move(loops_);
   }
 
 private:
-  // A point that no open edge leads to, if there is one: chains are walked whole.
-  Index startOfChain()
+  // Points from which more open edges start than end: chains are walked whole, before closed loops.
+  std::vector<Index> startsOfChains() const
   {
-    if (!chainsAreDone_)
+    std::map<Index, int> surplus;
+    for (const auto& [from, to] : next_)
     {
-      std::multimap<Index, Index> into;
-      for (const auto& [from, to] : next_)
-      {
-        into.emplace(to, from);
-      }
-      for (const auto& [from, to] : next_)
-      {
-        if (!into.contains(from))
-        {
-          return from;
-        }
-      }
-      chainsAreDone_ = true;
+      ++surplus[from];
+      --surplus[to];
     }
-    return next_.begin()->first;
+    std::vector<Index> starts;
+    for (const auto& [point, more] : surplus)
+    {
+      starts.insert(starts.end(), static_cast<std::size_t>(std::max(more, 0)), point);
+    }
+    return starts;
   }
 
   void walk(Index start)
@@ -98,7 +98,6 @@ private:
 
   const SurfaceMesh& surface_;
   std::multimap<Index, Index> next_; // the open edges that are not in a loop yet
-  bool chainsAreDone_ = false;
   std::vector<BorderLoop> loops_;
 };
 } // namespace

@@ -1,5 +1,7 @@
 #include "Surface/DiagnosisText.h"
 
+#include "Surface/ProximityFaults.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -69,8 +71,8 @@ std::vector<PairGroup> groupsOf(const Fault& fault, const SurfaceMesh& surface)
     PairGroup& group = groups[key];
     if (group.pairs++ == 0)
     {
-      const bool isFirst = fault.pairs.front() == std::pair(s, t);
-      group.where = isFirst ? fault.where : 0.5 * (centreOf(surface, s) + centreOf(surface, t));
+      group.where =
+        fault.kind == SurfaceFault::Intersection ? meetingPlace(surface, s, t) : centreOf(surface, s);
     }
     group.patches = key;
     group.triangles.insert({ s, t });

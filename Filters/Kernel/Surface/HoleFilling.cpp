@@ -17,6 +17,9 @@ namespace
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Triple = CGAL::Triple<int, int, int>;
 
+// The search through all triangulations of a border takes time with the cube of its points.
+constexpr std::size_t LargestCubic = 300;
+
 // New triangles run along the border against those that are there.
 std::vector<Triple> triangulate(const SurfaceMesh& surface, const std::vector<Index>& border)
 {
@@ -27,8 +30,9 @@ std::vector<Triple> triangulate(const SurfaceMesh& surface, const std::vector<In
     points.emplace_back(p.x, p.y, p.z);
   }
   std::vector<Triple> triangles;
-  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-    points, std::back_inserter(triangles), CGAL::parameters::use_2d_constrained_delaunay_triangulation(true));
+  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles),
+    CGAL::parameters::use_2d_constrained_delaunay_triangulation(true).do_not_use_cubic_algorithm(
+      points.size() > LargestCubic));
   return triangles;
 }
 

@@ -147,6 +147,12 @@ std::string proposeRemedy(const SurfaceMesh& surface, const PatchTable& patches,
   {
     return "repair the file or the filter that made it";
   }
+  RepairOptions usual;
+  usual.closedBy = closedBy;
+  if (heals(surface, patches, usual))
+  {
+    return "the usual repairs do it: leave Repair on, or take vtkSurfaceRepair";
+  }
   if (diagnosis.find(SurfaceFault::OpenEdge))
   {
     const std::string repair = workingRepair(surface, patches, closedBy);
@@ -156,7 +162,7 @@ std::string proposeRemedy(const SurfaceMesh& surface, const PatchTable& patches,
   {
     return "separate the parts or unite them in the CAD system, or " + wrapping(surface);
   }
-  return "switch Repair on, or clean the surface where it was made";
+  return "clean or remesh the surface where it was made, or " + wrapping(surface);
 }
 
 SurfaceVerdict prepareSurface(

@@ -158,9 +158,14 @@ Fault findCrossings(const SurfaceMesh& surface)
   fault.findings = findingsOf(fault.kind, fault.pairs);
   if (fault.count > 0)
   {
-    fault.where = Meeting(surface).of(fault.pairs[0].first, fault.pairs[0].second);
+    fault.where = meetingPlace(surface, fault.pairs[0].first, fault.pairs[0].second);
   }
   return fault;
+}
+
+Vector3 meetingPlace(const SurfaceMesh& surface, Index s, Index t)
+{
+  return Meeting(surface).of(s, t);
 }
 
 Fault findNearSheets(

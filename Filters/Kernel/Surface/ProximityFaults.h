@@ -11,6 +11,9 @@ namespace ransmesh
 // Pairs of triangles that meet elsewhere than in common points and edges, decided exactly.
 Fault findCrossings(const SurfaceMesh& surface);
 
+// About where two triangles meet: where a side of one passes through the other.
+Vector3 meetingPlace(const SurfaceMesh& surface, Index s, Index t);
+
 // Pairs of triangles without a common point that come nearer to each other than `distance`, measured from
 // corners to triangles, and than a tenth of their own shortest edges. Not the pairs in `crossing` (sorted).
 Fault findNearSheets(

@@ -21,22 +21,53 @@ struct NearPair
   Index b;
 };
 
-// Points of the border in the order of x: who is near is found in a short run of them.
-std::vector<Index> borderAlongX(const SurfaceMesh& surface)
+// Points of the border in the order of the coordinate in which they spread most: who is near is found in a short run
+// of them.
+struct SortedBorder
+{
+  std::vector<Index> points;
+  int axis = 0;
+};
+
+SortedBorder sortedBorder(const SurfaceMesh& surface)
 {
   const std::vector<char> isBorder = borderPoints(surface);
-  std::vector<Index> border;
+  const auto& p = surface.points;
+  SortedBorder border;
+  std::vector<Vector3> places;
   for (std::size_t v = 0; v < isBorder.size(); ++v)
   {
     if (isBorder[v])
     {
-      border.push_back(static_cast<Index>(v));
+      border.points.push_back(static_cast<Index>(v));
+      places.push_back(p[v]);
     }
   }
-  const auto& p = surface.points;
-  std::sort(border.begin(), border.end(),
-    [&p](Index i, Index j) { return p[i].x != p[j].x ? p[i].x < p[j].x : i < j; });
+  const Extent extent = extentOf(places);
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    border.axis = extent.length(axis) > extent.length(border.axis) ? axis : border.axis;
+  }
+  std::sort(border.points.begin(), border.points.end(),
+    [&p, k = border.axis](Index i, Index j) { return p[i][k] != p[j][k] ? p[i][k] < p[j][k] : i < j; });
   return border;
+}
+
+// At each point of the border the length of the shortest open edge there.
+std::vector<double> shortestOpenEdges(const SurfaceMesh& surface)
+{
+  std::vector<double> shortest(surface.points.size(), std::numeric_limits<double>::max());
+  forEachEdge(sortedEdges(surface),
+    [&](const SurfaceEdge* first, const SurfaceEdge* last)
+    {
+      if (last - first == 1)
+      {
+        const double length = distance(surface.points[first->a], surface.points[first->b]);
+        shortest[first->a] = std::min(shortest[first->a], length);
+        shortest[first->b] = std::min(shortest[first->b], length);
+      }
+    });
+  return shortest;
 }
 
 std::size_t countOpenEdges(const SurfaceMesh& surface)
@@ -83,15 +114,18 @@ public:
 private:
   std::vector<NearPair> nearPairs(double tolerance) const
   {
-    const std::vector<Index> border = borderAlongX(surface_);
+    const SortedBorder sorted = sortedBorder(surface_);
+    const std::vector<Index>& border = sorted.points;
+    const int k = sorted.axis;
+    const std::vector<double> edge = shortestOpenEdges(surface_);
     const auto& p = surface_.points;
     std::vector<NearPair> pairs;
     for (std::size_t i = 0; i < border.size(); ++i)
     {
-      for (std::size_t j = i + 1; j < border.size() && p[border[j]].x - p[border[i]].x <= tolerance; ++j)
+      for (std::size_t j = i + 1; j < border.size() && p[border[j]][k] - p[border[i]][k] <= tolerance; ++j)
       {
         const double d = distance(p[border[i]], p[border[j]]);
-        if (d <= tolerance)
+        if (d <= tolerance && 2 * d < std::min(edge[border[i]], edge[border[j]]))
         {
           pairs.push_back({ d, std::min(border[i], border[j]), std::max(border[i], border[j]) });
         }
@@ -185,30 +219,22 @@ WeldReport weldBorders(SurfaceMesh& surface, double tolerance)
 
 double widthOfGaps(const SurfaceMesh& surface)
 {
-  const std::vector<Index> border = borderAlongX(surface);
+  const SortedBorder sorted = sortedBorder(surface);
+  const std::vector<Index>& border = sorted.points;
+  const int k = sorted.axis;
+  const std::vector<double> edge = shortestOpenEdges(surface);
   const auto& p = surface.points;
-  std::vector<double> edge(surface.points.size(), std::numeric_limits<double>::max());
-  forEachEdge(sortedEdges(surface),
-    [&](const SurfaceEdge* first, const SurfaceEdge* last)
-    {
-      if (last - first == 1)
-      {
-        const double length = distance(p[first->a], p[first->b]);
-        edge[first->a] = std::min(edge[first->a], length);
-        edge[first->b] = std::min(edge[first->b], length);
-      }
-    });
   double width = 0;
   for (std::size_t i = 0; i < border.size(); ++i)
   {
     double nearest = edge[border[i]] / 3;
     const auto look = [&](std::size_t j)
     { nearest = std::min(nearest, distance(p[border[i]], p[border[j]])); };
-    for (std::size_t j = i + 1; j < border.size() && p[border[j]].x - p[border[i]].x < nearest; ++j)
+    for (std::size_t j = i + 1; j < border.size() && p[border[j]][k] - p[border[i]][k] < nearest; ++j)
     {
       look(j);
     }
-    for (std::size_t j = i; j-- > 0 && p[border[i]].x - p[border[j]].x < nearest;)
+    for (std::size_t j = i; j-- > 0 && p[border[i]][k] - p[border[j]][k] < nearest;)
     {
       look(j);
     }

@@ -1,0 +1,87 @@
+// Small closed surfaces for the tests of their check and repair.
+#pragma once
+
+#include "Boundary/Patch.h"
+#include "Boundary/SurfaceMesh.h"
+#include "Boundary/SurfaceRepair.h"
+
+#include <string>
+
+namespace ransmesh::test
+{
+// The cube [-1, 1]^3, each side a patch (1 to 6) of 2 n^2 triangles, turned outward.
+inline SurfaceMesh cube(int n)
+{
+  SurfaceMesh s;
+  for (int side = 0; side < 6; ++side)
+  {
+    const int axis = side / 2;
+    const bool high = side % 2 != 0;
+    const auto first = static_cast<Index>(s.points.size());
+    for (int i = 0; i <= n; ++i)
+    {
+      for (int j = 0; j <= n; ++j)
+      {
+        Vector3 p;
+        p[axis] = high ? 1 : -1;
+        p[(axis + 1) % 3] = 2.0 * i / n - 1;
+        p[(axis + 2) % 3] = 2.0 * j / n - 1;
+        s.points.push_back(p);
+      }
+    }
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < n; ++j)
+      {
+        const Index a = first + i * (n + 1) + j;
+        const Index b = a + n + 1;
+        s.triangles.push_back(high ? std::array{ a, b, b + 1 } : std::array{ a, b + 1, b });
+        s.triangles.push_back(high ? std::array{ a, b + 1, a + 1 } : std::array{ a, a + 1, b + 1 });
+      }
+    }
+    s.patch.resize(s.triangles.size(), side + 1);
+  }
+  mergeEqualPoints(s);
+  return s;
+}
+
+inline SurfaceMesh ball(int n)
+{
+  SurfaceMesh s = cube(n);
+  for (Vector3& p : s.points)
+  {
+    p = (1 / norm(p)) * p;
+  }
+  return s;
+}
+
+inline SurfaceMesh moved(SurfaceMesh s, const Vector3& by, double scale = 1)
+{
+  for (Vector3& p : s.points)
+  {
+    p = scale * p + by;
+  }
+  return s;
+}
+
+inline void append(SurfaceMesh& s, const SurfaceMesh& other)
+{
+  const auto offset = static_cast<Index>(s.points.size());
+  s.points.insert(s.points.end(), other.points.begin(), other.points.end());
+  s.patch.insert(s.patch.end(), other.patch.begin(), other.patch.end());
+  for (const auto& t : other.triangles)
+  {
+    s.triangles.push_back({ t[0] + offset, t[1] + offset, t[2] + offset });
+  }
+}
+
+inline PatchTable sixPatches()
+{
+  PatchTable patches = { { "fluid", PatchType::Patch } };
+  for (int i = 1; i <= 6; ++i)
+  {
+    patches.push_back({ "side" + std::to_string(i), PatchType::Wall });
+  }
+  return patches;
+}
+} // namespace ransmesh::test
