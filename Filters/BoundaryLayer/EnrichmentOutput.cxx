@@ -18,6 +18,8 @@
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+
 namespace ransmesh
 {
 namespace
@@ -29,11 +31,8 @@ void addCellArray(const char* name, const std::vector<Value>& ofTets, Value fill
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfValues(grid->GetNumberOfCells());
-  array->FillValue(fill);
-  for (std::size_t t = 0; t < ofTets.size(); ++t)
-  {
-    array->SetValue(static_cast<vtkIdType>(t), ofTets[t]);
-  }
+  auto* const end = std::copy(ofTets.begin(), ofTets.end(), array->GetPointer(0));
+  std::fill(end, array->GetPointer(0) + grid->GetNumberOfCells(), fill);
   grid->GetCellData()->AddArray(array);
 }
 
@@ -122,10 +121,7 @@ void writeEnrichedMesh(
   vtkNew<vtkIntArray> columns;
   columns->SetName(contract::ColumnId);
   columns->SetNumberOfValues(grid->GetNumberOfPoints());
-  for (std::size_t i = 0; i < enriched.column.size(); ++i)
-  {
-    columns->SetValue(static_cast<vtkIdType>(i), enriched.column[i]);
-  }
+  std::copy(enriched.column.begin(), enriched.column.end(), columns->GetPointer(0));
   grid->GetPointData()->AddArray(columns);
 }
 

@@ -11,9 +11,11 @@
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -127,6 +129,35 @@ void addColumn(
   }
   fieldData->AddArray(array);
 }
+template <class Cell>
+void appendCells(const std::vector<Cell>& cells, vtkIdType*& offset, vtkIdType*& connectivity)
+{
+  for (const Cell& cell : cells)
+  {
+    connectivity = std::copy(cell.begin(), cell.end(), connectivity);
+    offset[1] = offset[0] + static_cast<vtkIdType>(cell.size());
+    ++offset;
+  }
+}
+
+// Tetrahedra, then triangles. Whole arrays at once: cell by cell takes several times as long.
+vtkSmartPointer<vtkCellArray> toCellArray(const MeshData& mesh)
+{
+  const auto tets = static_cast<vtkIdType>(mesh.tetrahedra.size());
+  const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> connectivity;
+  offsets->SetNumberOfValues(tets + triangles + 1);
+  connectivity->SetNumberOfValues(4 * tets + 3 * triangles);
+  vtkIdType* offset = offsets->GetPointer(0);
+  vtkIdType* next = connectivity->GetPointer(0);
+  *offset = 0;
+  appendCells(mesh.tetrahedra, offset, next);
+  appendCells(mesh.triangles, offset, next);
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, connectivity);
+  return cells;
+}
 } // namespace
 
 Outcome readMesh(vtkUnstructuredGrid* grid, MeshData& mesh, PatchTable& patches)
@@ -158,35 +189,27 @@ void writeMesh(const MeshData& mesh, const PatchTable& patches, vtkUnstructuredG
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+  auto* coordinate = static_cast<double*>(points->GetVoidPointer(0));
+  for (const Vector3& p : mesh.points)
   {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].x, mesh.points[i].y, mesh.points[i].z);
+    for (const double x : { p.x, p.y, p.z })
+    {
+      *coordinate++ = x;
+    }
   }
   const auto tets = static_cast<vtkIdType>(mesh.tetrahedra.size());
   const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
-  vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(tets + triangles, 4 * tets + 3 * triangles);
   vtkNew<vtkUnsignedCharArray> types;
   types->SetNumberOfValues(tets + triangles);
+  std::fill_n(types->GetPointer(0), tets, static_cast<unsigned char>(VTK_TETRA));
+  std::fill_n(types->GetPointer(tets), triangles, static_cast<unsigned char>(VTK_TRIANGLE));
   vtkNew<vtkIntArray> patchIds;
   patchIds->SetName(contract::PatchId);
   patchIds->SetNumberOfValues(tets + triangles);
-  for (vtkIdType t = 0; t < tets; ++t)
-  {
-    const auto& v = mesh.tetrahedra[t];
-    cells->InsertNextCell({ v[0], v[1], v[2], v[3] });
-    types->SetValue(t, VTK_TETRA);
-    patchIds->SetValue(t, 0);
-  }
-  for (vtkIdType i = 0; i < triangles; ++i)
-  {
-    const auto& v = mesh.triangles[i];
-    cells->InsertNextCell({ v[0], v[1], v[2] });
-    types->SetValue(tets + i, VTK_TRIANGLE);
-    patchIds->SetValue(tets + i, mesh.trianglePatch[i]);
-  }
+  std::fill_n(patchIds->GetPointer(0), tets, 0);
+  std::copy(mesh.trianglePatch.begin(), mesh.trianglePatch.end(), patchIds->GetPointer(tets));
   grid->SetPoints(points);
-  grid->SetCells(types, cells);
+  grid->SetCells(types, toCellArray(mesh));
   grid->GetCellData()->AddArray(patchIds);
   writePatches(patches, grid->GetFieldData());
 }
