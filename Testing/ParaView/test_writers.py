@@ -3,7 +3,7 @@ import os
 import sys
 
 from paraview import simple
-from paraview.servermanager import CreateProxy, Fetch, ProxyManager
+from paraview.servermanager import CreateProxy, Fetch
 
 simple.LoadPlugin(sys.argv[1], remote=False, ns=globals())
 folder = os.path.join(sys.argv[2], "")
@@ -48,6 +48,15 @@ back = NamedBlocksToMesh(Input=cgns)
 simple.UpdatePipeline(proxy=back)
 assert Fetch(back).GetNumberOfCells() == mesh.GetNumberOfCells()
 assert Fetch(back).GetNumberOfPoints() == mesh.GetNumberOfPoints()
+
+# The properties' defaults are the classes' own.
+for name, properties in (("SU2MeshWriter", {}), ("UGRIDMeshWriter", {}), ("RANSMeshingCGNSWriter", {}),
+                         ("GmshMeshWriter", {"FileType": 2}), ("OpenFOAMMeshWriter", {"FileType": 2})):
+    proxy = CreateProxy("writers", name)
+    lines = (line.strip().partition(":") for line in str(proxy.GetClientSideObject()).splitlines())
+    own = {label: value for label, _, value in lines}
+    for label, value in {**properties, "LeaveOutSheets": 0}.items():
+        assert proxy.GetProperty(label).GetElement(0) == value == int(own[label]), (name, label)
 
 blocks = MeshToNamedBlocks(Input=mesher)
 simple.UpdatePipeline(proxy=blocks)

@@ -4,6 +4,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -11,6 +12,7 @@ import mesh_files
 import writer_meshes
 from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from ransmeshing import vtkGmshMeshWriter, vtkOpenFOAMMeshWriter, vtkSolverMeshWriter
 
@@ -237,6 +239,20 @@ class OpenFOAM(WriterTest):
         self.assertRegex(text, r"wake +%d " % (2 * len(mesh.patches["wake"])))
         self.assertNotIn("***", text)
         self.refused("without thickness", grid, "mesh.cgns")
+
+
+class Benchmark(WriterTest):
+    def test_the_program_that_measures_writers(self):
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetInputData(writer_meshes.ball())
+        writer.SetFileName(self.path("ball.vtu"))
+        self.assertEqual(writer.Write(), 1)
+        program = os.path.join(os.environ["RANSMESHING_SOURCE_DIR"], "Testing/Benchmarks/writers.py")
+        done = subprocess.run([sys.executable, "-B", program, self.folder, self.path("ball.vtu")], capture_output=True,
+                              text=True, check=True)
+        self.assertEqual(done.stdout.count("read back: the same"), len(FILES), done.stdout)
+        self.assertNotIn("NOT", done.stdout)
+        self.assertEqual(os.listdir(self.folder), ["ball.vtu"])
 
 
 class Sheets(WriterTest):
