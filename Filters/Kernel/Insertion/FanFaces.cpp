@@ -19,23 +19,10 @@ std::vector<FanFaces::FrontFace> FanFaces::facesAround(const Fan& fan)
   const Column& column = set_.columns[fan.column];
   std::vector<FrontFace> found;
   traversal_.ball(column.vertex, ball_);
-  for (const Index t : ball_)
-  {
-    for (int f = 0; f < 4; ++f)
-    {
-      const HalfFace beyond = mesh_.tet(t).neighbour[f];
-      if (isBoundary(beyond) && mesh_.tet(t).vertex[f] != column.vertex &&
-        isFrontFace(mesh_, column, boundaryFaceOf(beyond)))
-      {
-        auto v = mesh_.tet(t).face(f);
-        while (v[0] != column.vertex)
-        {
-          v = { v[1], v[2], v[0] };
-        }
-        found.push_back({ boundaryFaceOf(beyond), v[1], v[2] });
-      }
-    }
-  }
+  forEachFrontFaceAt(mesh_, column, ball_,
+    [&found](Index face, const std::array<Index, 3>& v) {
+      found.push_back({ face, v[1], v[2] });
+    });
   std::vector<FrontFace> ordered;
   auto at = std::find_if(found.begin(), found.end(),
     [&](const FrontFace& f)

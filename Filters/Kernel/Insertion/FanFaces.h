@@ -18,6 +18,31 @@ inline bool isFrontFace(const TetMesh& mesh, const Column& column, Index boundar
   return !column.staysIn(mesh.boundaryFace(boundaryFace).patch);
 }
 
+// Visits the front's faces at the column's top, which ball surrounds: visit(boundary face, its vertices turned into
+// the fluid, the top first).
+template <class Visit>
+void forEachFrontFaceAt(
+  const TetMesh& mesh, const Column& column, const std::vector<Index>& ball, Visit visit)
+{
+  for (const Index t : ball)
+  {
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace beyond = mesh.tet(t).neighbour[f];
+      if (isBoundary(beyond) && mesh.tet(t).vertex[f] != column.vertex &&
+        isFrontFace(mesh, column, boundaryFaceOf(beyond)))
+      {
+        auto v = mesh.tet(t).face(f);
+        while (v[0] != column.vertex)
+        {
+          v = { v[1], v[2], v[0] };
+        }
+        visit(boundaryFaceOf(beyond), v);
+      }
+    }
+  }
+}
+
 class FanFaces
 {
 public:

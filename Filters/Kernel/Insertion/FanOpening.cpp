@@ -314,20 +314,12 @@ private:
     }
     std::vector<Vector3> normals;
     traversal_.ball(column.vertex, ball_);
-    for (const Index t : ball_)
-    {
-      for (int f = 0; f < 4; ++f)
+    forEachFrontFaceAt(mesh_, column, ball_,
+      [&](Index, const std::array<Index, 3>& v)
       {
-        const HalfFace beyond = mesh_.tet(t).neighbour[f];
-        if (isBoundary(beyond) && mesh_.tet(t).vertex[f] != column.vertex &&
-          isFrontFace(mesh_, column, boundaryFaceOf(beyond)))
-        {
-          const auto v = mesh_.tet(t).face(f);
-          normals.push_back(
-            normalized(cross(mesh_.point(v[1]) - mesh_.point(v[0]), mesh_.point(v[2]) - mesh_.point(v[0]))));
-        }
-      }
-    }
+        normals.push_back(
+          normalized(cross(mesh_.point(v[1]) - mesh_.point(v[0]), mesh_.point(v[2]) - mesh_.point(v[0]))));
+      });
     const double length = norm(column.direction);
     column.direction = length * mostVisible(normals, SideProjection({}), normalized(column.direction));
     if (!(visibility(normals, column.direction) > 0))

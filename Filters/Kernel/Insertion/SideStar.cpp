@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace ransmesh
 {
@@ -41,7 +40,7 @@ bool SideStar::allowsStar(const Cavity& cavity, Index top, const std::vector<Ind
   {
     return true;
   }
-  collectEdges(cavity.starredFaces);
+  collectEdgeUses(mesh_, cavity.starredFaces, edges_);
   rim_.clear();
   for (std::size_t i = 0; i < edges_.size(); ++i)
   {
@@ -83,7 +82,7 @@ bool SideStar::hangTogether(const std::vector<Index>& faces, Index top) const
     {
       const EdgeUse& one = edges_[i];
       const EdgeUse& other = edges_[i + 1];
-      const bool shared = one.low == other.low && one.high == other.high;
+      const bool shared = one.isSameEdge(other);
       if (shared && has(reached, one.face) != has(reached, other.face))
       {
         reached.push_back(has(reached, one.face) ? other.face : one.face);
@@ -92,24 +91,6 @@ bool SideStar::hangTogether(const std::vector<Index>& faces, Index top) const
     }
   }
   return reached.size() == faces.size();
-}
-
-void SideStar::collectEdges(const std::vector<Index>& faces)
-{
-  edges_.clear();
-  for (const Index b : faces)
-  {
-    const auto v = mesh_.boundaryVertices(b);
-    for (int j = 0; j < 3; ++j)
-    {
-      const Index from = v[j];
-      const Index to = v[(j + 1) % 3];
-      edges_.push_back({ std::min(from, to), std::max(from, to), { from, to }, b });
-    }
-  }
-  std::sort(edges_.begin(), edges_.end(),
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
 }
 
 double SideStar::faithfulnessBefore(Index face) const

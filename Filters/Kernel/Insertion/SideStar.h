@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boundary/Classification.h"
+#include "Boundary/EdgeUses.h"
 #include "Insertion/SideTurns.h"
 #include "Mesh/Star.h"
 
@@ -41,16 +42,8 @@ private:
     Index number;
     double before; // its faithfulness before the move
   };
-  struct EdgeUse
-  {
-    Index low;
-    Index high;
-    std::array<Index, 2> way; // as the face, turned inward, has it
-    Index face;
-  };
 
   double faithfulnessBefore(Index face) const;
-  void collectEdges(const std::vector<Index>& faces);
   bool rimAllows(const EdgeUse& rim, Index top) const;
   bool mayVanish(const EdgeUse& one, const EdgeUse& other, Index top, const std::vector<Index>& lost) const;
   bool ridgeGoesOn(Index top, Index vertex) const;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 
 namespace ransmesh
 {
@@ -15,24 +14,6 @@ Vector3 normalOf(const Vector3& a, const Vector3& b, const Vector3& c)
   return normalized(cross(b - a, c - a));
 }
 } // namespace
-
-void SurfaceStar::collectEdges(std::span<const Index> faces)
-{
-  edges_.clear();
-  for (const Index b : faces)
-  {
-    const auto v = mesh_.boundaryVertices(b);
-    for (int j = 0; j < 3; ++j)
-    {
-      const Index from = v[j];
-      const Index to = v[(j + 1) % 3];
-      edges_.push_back({ std::min(from, to), std::max(from, to), { from, to }, b });
-    }
-  }
-  std::sort(edges_.begin(), edges_.end(),
-    [](const EdgeUse& a, const EdgeUse& b)
-    { return std::tie(a.low, a.high, a.face) < std::tie(b.low, b.high, b.face); });
-}
 
 bool SurfaceStar::turnsTooFar(const EdgeUse& rim, Index apex) const
 {
@@ -79,8 +60,7 @@ RemovalVerdict SurfaceStar::judgeEdges(Index apex, Index vanishing)
   for (std::size_t i = 0; i < edges_.size(); ++i)
   {
     const EdgeUse& edge = edges_[i];
-    const bool shared =
-      i + 1 < edges_.size() && edges_[i + 1].low == edge.low && edges_[i + 1].high == edge.high;
+    const bool shared = i + 1 < edges_.size() && edges_[i + 1].isSameEdge(edge);
     if (shared)
     {
       const bool goesWithItsVertex = edge.low == vanishing || edge.high == vanishing;
@@ -145,7 +125,7 @@ bool SurfaceStar::staysInPlace(std::span<const Index> faces, Index apex)
 
 RemovalVerdict SurfaceStar::judge(std::span<const Index> faces, Index apex, Index vanishing)
 {
-  collectEdges(faces);
+  collectEdgeUses(mesh_, faces, edges_);
   const RemovalVerdict verdict = judgeEdges(apex, vanishing);
   if (verdict != RemovalVerdict::Collapsed)
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boundary/BoundaryRules.h"
+#include "Boundary/EdgeUses.h"
 #include "Mesh/Traversal.h"
 #include "Removal/RemovalVerdict.h"
 #include "Removal/SurfaceMemory.h"
@@ -41,15 +42,6 @@ public:
   void remember() { memory_.remember(); }
 
 private:
-  struct EdgeUse
-  {
-    Index low;
-    Index high;
-    std::array<Index, 2> way; // as the face, turned inward, has it
-    Index face;
-  };
-
-  void collectEdges(std::span<const Index> faces);
   bool turnsTooFar(const EdgeUse& rim, Index apex) const;
   RemovalVerdict judgeEdges(Index apex, Index vanishing);
   bool meetsSurfaceAgain(std::span<const Index> faces, Index apex);

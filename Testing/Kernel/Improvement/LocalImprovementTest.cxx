@@ -1,0 +1,51 @@
+#include "Improvement/LocalImprovement.h"
+
+#include "Support/GridMesh.h"
+#include "Support/Invariants.h"
+
+#include <gtest/gtest.h>
+
+using namespace ransmesh;
+
+namespace
+{
+class LocalImprovements : public testing::Test
+{
+protected:
+  // The first point of the volume.
+  Index inner() const
+  {
+    Index v = 0;
+    while (rules_.classification.kind[v] != VertexKind::Volume)
+    {
+      ++v;
+    }
+    return v;
+  }
+
+  TetMesh mesh_ = invariants::build(grid_mesh::make({ 4, 4, 4, grid_mesh::turned, 0.25 }));
+  PatchTable patches_ = grid_mesh::patches(PatchType::Symmetry);
+  BoundaryRules rules_{ classify(mesh_, patches_), std::vector<char>(patches_.size(), 0) };
+  LocalImprovement improvement_{ mesh_, rules_ };
+};
+} // namespace
+
+TEST_F(LocalImprovements, TetrahedraStayPositiveWhateverQualityIsAskedFor)
+{
+  // A floor below all qualities lets everything pass but what is not exactly positive.
+  constexpr double none = -1e3;
+  const Index v = inner();
+  const Vector3 from = mesh_.point(v);
+  const Vector3 far = from + Vector3{ 10, 0, 0 };
+  EXPECT_FALSE(improvement_.moveTowards(v, far, none));
+  EXPECT_EQ(mesh_.point(v), from);
+  EXPECT_TRUE(improvement_.moveTowards(v, from + Vector3{ 0.3, 0.02, 0.01 }, none));
+  invariants::expectValid(mesh_);
+}
+
+TEST_F(LocalImprovements, PointsOfTheBoundaryStay)
+{
+  const Index v = mesh_.boundaryVertices(0)[0];
+  EXPECT_FALSE(improvement_.move(v, 0));
+  EXPECT_FALSE(improvement_.moveTowards(v, { 0.5, 0.5, 0.5 }, 0));
+}
