@@ -74,45 +74,86 @@ FoamFaces::FoamFaces(const MeshView& mesh, const std::string& folder, bool binar
 {
 }
 
-Outcome FoamFaces::write()
+// The three files, and the lists in them.
+struct FoamFaces::Files
 {
-  const vtkIdType internal = order_.internalFaces(3) + order_.internalFaces(4);
-  vtkIdType faces = internal;
-  vtkIdType points = 3 * order_.internalFaces(3) + 4 * order_.internalFaces(4);
+  Files(const std::string& folder, bool binary, const std::string& note, const Counts& counts)
+    : faces(folder + "faces", binary, counts.faces, counts.points)
+    , owner(folder + "owner")
+    , neighbour(folder + "neighbour")
+    , owners(begin(owner, "owner", binary, note), binary, counts.faces)
+    , neighbours(begin(neighbour, "neighbour", binary, note), binary, counts.internal)
+  {
+  }
+
+  static OutputFile& begin(OutputFile& file, const char* name, bool binary, const std::string& note)
+  {
+    return file.text(header(name, "labelList", binary, note));
+  }
+
+  // The system's number of the first error, or 0.
+  int close()
+  {
+    owners.end();
+    neighbours.end();
+    owner.close();
+    neighbour.close();
+    const int error = faces.close();
+    return error != 0 ? error : owner.error() != 0 ? owner.error() : neighbour.error();
+  }
+
+  FaceFile faces;
+  OutputFile owner;
+  OutputFile neighbour;
+  LabelList owners;
+  LabelList neighbours;
+};
+
+FoamFaces::Counts FoamFaces::count()
+{
+  Counts counts;
+  counts.internal = order_.internalFaces(3) + order_.internalFaces(4);
+  counts.faces = counts.internal;
+  counts.points = 3 * order_.internalFaces(3) + 4 * order_.internalFaces(4);
   for (const BoundaryPatch& patch : mesh_.patches())
   {
-    starts_.push_back(faces);
-    faces += order_.outerFaces(patch);
-    points += FaceOrder::sidesOf(patch) * (3 * patch.triangles + 4 * patch.quadrilaterals);
+    starts_.push_back(counts.faces);
+    counts.faces += order_.outerFaces(patch);
+    counts.points += FaceOrder::sidesOf(patch) * (3 * patch.triangles + 4 * patch.quadrilaterals);
   }
+  return counts;
+}
+
+Outcome FoamFaces::write()
+{
+  const Counts counts = count();
   const std::string note = "nPoints:" + std::to_string(mesh_.numberOfPoints()) +
-    "  nCells:" + std::to_string(mesh_.numberOfCells()) + "  nFaces:" + std::to_string(faces) +
-    "  nInternalFaces:" + std::to_string(internal);
-  FaceFile faceFile(folder_ + "faces", binary_, faces, points);
-  OutputFile ownerFile(folder_ + "owner");
-  OutputFile neighbourFile(folder_ + "neighbour");
-  ownerFile.text(header("owner", "labelList", binary_, note));
-  neighbourFile.text(header("neighbour", "labelList", binary_, note));
-  LabelList owners(ownerFile, binary_, faces);
-  LabelList neighbours(neighbourFile, binary_, internal);
+    "  nCells:" + std::to_string(mesh_.numberOfCells()) + "  nFaces:" + std::to_string(counts.faces) +
+    "  nInternalFaces:" + std::to_string(counts.internal);
+  Files files(folder_, binary_, note, counts);
   vtkIdType label = 0;
   const Outcome outcome = order_.forEachInternalFace(
-    [&](const FaceOrder::InternalFace& face)
+    [this, &files, &label](const FaceOrder::InternalFace& face)
     {
-      faceFile.add(face.face);
-      owners.add(face.owner);
-      neighbours.add(face.neighbour);
+      files.faces.add(face.face);
+      files.owners.add(face.owner);
+      files.neighbours.add(face.neighbour);
       if (face.sheetFace >= 0)
       {
-        zoneFaces_.push_back({ label, face.sheetFace, false });
-        addZoneFace(face);
+        addZoneFace(face, label);
       }
       ++label;
     });
-  if (!outcome.ok())
+  if (outcome.ok())
   {
-    return outcome;
+    writeOuterFaces(files);
+    error_ = files.close();
   }
+  return outcome;
+}
+
+void FoamFaces::writeOuterFaces(Files& files)
+{
   for (const BoundaryPatch& patch : mesh_.patches())
   {
     for (int side = 0; side < FaceOrder::sidesOf(patch); ++side)
@@ -120,27 +161,18 @@ Outcome FoamFaces::write()
       for (vtkIdType f = patch.first; f < patch.first + patch.count(); ++f)
       {
         const FaceOrder::OuterFace outer = order_.outerFace(f, side);
-        faceFile.add(outer.face);
-        owners.add(outer.owner);
+        files.faces.add(outer.face);
+        files.owners.add(outer.owner);
       }
     }
   }
-  owners.end();
-  neighbours.end();
-  ownerFile.close();
-  neighbourFile.close();
-  for (const int error : { faceFile.close(), ownerFile.error(), neighbourFile.error() })
-  {
-    error_ = error_ ? error_ : error;
-  }
-  return Outcome::done();
 }
 
-void FoamFaces::addZoneFace(const FaceOrder::InternalFace& face)
+void FoamFaces::addZoneFace(const FaceOrder::InternalFace& face, vtkIdType label)
 {
   const Corners own = mesh_.face(face.sheetFace);
   const auto* at = std::find(own.begin(), own.end(), face.face.points[0]);
   const vtkIdType next = own[static_cast<int>(at - own.begin() + 1) % own.count];
-  zoneFaces_.back().flipped = next != face.face.points[1];
+  zoneFaces_.push_back({ label, face.sheetFace, next != face.face.points[1] });
 }
 } // namespace ransmesh::foam

@@ -35,7 +35,16 @@ public:
 
 private:
   class FaceFile; // text, or binary
-  void addZoneFace(const FaceOrder::InternalFace& face);
+  struct Files;
+  struct Counts
+  {
+    vtkIdType internal = 0; // faces
+    vtkIdType faces = 0;
+    vtkIdType points = 0; // of all faces
+  };
+  Counts count();
+  void writeOuterFaces(Files& files);
+  void addZoneFace(const FaceOrder::InternalFace& face, vtkIdType label);
 
   const MeshView& mesh_;
   FaceOrder order_;
