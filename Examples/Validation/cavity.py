@@ -23,6 +23,7 @@ import slab
 
 REYNOLDS = 1000
 DEPTH = 0.1
+STEPS = 800  # of simpleFoam
 TYPES = {"lid": "wall", "walls": "wall", "front": "symmetry", "back": "symmetry"}
 #         edge, first height, growth, layers; largest deviation, root mean square
 FULL = (0.0238, 0.003, 1.25, 10, 0.025, 0.010)
@@ -67,9 +68,9 @@ def by_openfoam(folder, mesh):
     fields = {"U": ("[0 1 -1 0 0 0 0]", "(0 0 0)", {
                   **sides, "walls": "type noSlip;", "lid": "type fixedValue; value uniform (1 0 0);"}),
               "p": ("[0 2 -2 0 0 0 0]", "0", {**sides, "walls": "type zeroGradient;", "lid": "type zeroGradient;"})}
-    case.set_up(1 / REYNOLDS, "laminar", fields, 1500, 1500, "pRefCell 0; pRefValue 0;")
+    case.set_up(1 / REYNOLDS, "laminar", fields, STEPS, STEPS, "pRefCell 0; pRefValue 0;")
     case.run("simpleFoam")
-    return case.inside(1500, "U")
+    return case.inside(STEPS, "U")
 
 
 def on_centre_lines(sampler, table):

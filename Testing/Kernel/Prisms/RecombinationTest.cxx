@@ -1,5 +1,6 @@
 #include "Prisms/Recombination.h"
 
+#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/MixedValidation.h"
 #include "Mesh/Validation.h"
 #include "Support/GridMesh.h"
@@ -115,6 +116,21 @@ TEST(Recombination, OnePrismInTetrahedraCostsItsNeighboursOnly)
   EXPECT_EQ(result.mesh.wedges.size(), 2U * Cells * Cells * Cells - 4);
   EXPECT_EQ(result.mesh.pyramids.size(), 6U);
   EXPECT_NEAR(volumeOf(result), 1, 1e-12);
+}
+
+// In prisms a hundred times thinner than wide, a point amid would give tetrahedra of almost 180 degrees.
+TEST(Recombination, APointWithinAThinPrismStandsNearAColumn)
+{
+  Subject subject = makeSubject([](const Vector3& p) { return Vector3{ p.x, p.y, 0.01 * p.z }; });
+  const Index middle = 2 * ((2 * Cells + 2) * Cells + 2);
+  std::replace(subject.prism.begin(), subject.prism.end(), middle, None);
+  const RecombinedMesh result = recombine(subject);
+  ASSERT_EQ(result.report.newPoints, 3U);
+  const auto& p = result.mesh.points;
+  for (const auto& v : result.mesh.tetrahedra)
+  {
+    EXPECT_LT(largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]), 165);
+  }
 }
 
 TEST(Recombination, ColumnsThatEndEarlierEndInPyramidsAndTetrahedra)
