@@ -117,7 +117,7 @@ void writeEnrichedMesh(
   writeMesh(enriched.mesh, patches, grid);
   carryPointData(enriched.origin, inputData, grid->GetPointData());
   addCellArray<vtkIntArray>(contract::LayerId, enriched.layer, 0, grid);
-  addCellArray<vtkIntArray>(contract::PrismId, enriched.prism, None, grid);
+  addCellArray<vtkIntArray>(contract::PrismId, numberPrisms(enriched), None, grid);
   vtkNew<vtkIntArray> columns;
   columns->SetName(contract::ColumnId);
   columns->SetNumberOfValues(grid->GetNumberOfPoints());

@@ -161,17 +161,15 @@ void addMeshTets(
   const std::size_t count = mesh.liveTets() + stackTets;
   reserveLarge(result.mesh.tetrahedra, count);
   reserveLarge(result.layer, count);
-  reserveLarge(result.prism, count);
   appendLiveTets(mesh, frontNumber, result.mesh.tetrahedra);
   result.layer.assign(mesh.liveTets(), 0);
-  result.prism.assign(mesh.liveTets(), None);
 }
 
 void appendStacks(const ColumnSet& set, const std::vector<BaseFace>& faces, const ColumnPoints& numbers,
   const std::vector<Index>& baseNumber, const TensorStacks& tensor, EnrichedMesh& result)
 {
   MeshData& data = result.mesh;
-  StackSink sink{ data.tetrahedra, result.layer, result.prism, data.triangles, data.trianglePatch };
+  StackSink sink{ data.tetrahedra, result.layer, result.stacks, data.triangles, data.trianglePatch };
   StackWriter writer(sink);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -232,6 +230,29 @@ void reportColumns(const ColumnSet& set, const ColumnPoints& numbers, EnrichedMe
   }
 }
 } // namespace
+
+std::vector<Index> numberPrisms(const EnrichedMesh& enriched)
+{
+  const std::vector<int>& layer = enriched.layer;
+  std::vector<Index> prism;
+  reserveLarge(prism, layer.size());
+  prism.assign(
+    enriched.stacks.empty() ? layer.size() : static_cast<std::size_t>(enriched.stacks.front()), None);
+  Index number = None;
+  for (std::size_t i = 0; i < enriched.stacks.size(); ++i)
+  {
+    const bool isLast = i + 1 == enriched.stacks.size();
+    const std::size_t end = isLast ? layer.size() : static_cast<std::size_t>(enriched.stacks[i + 1]);
+    int below = 0; // the layer of the tetrahedron before; 0 at the start of a stack
+    for (std::size_t t = prism.size(); t < end; ++t)
+    {
+      number += layer[t] != below;
+      below = layer[t];
+      prism.push_back(number);
+    }
+  }
+  return prism;
+}
 
 void writeEnriched(
   const TetMesh& mesh, const ColumnSet& set, double maximumSurfaceAngle, EnrichedMesh& result)

@@ -55,8 +55,9 @@ struct EnrichmentReport
 struct EnrichedMesh
 {
   MeshData mesh;
-  std::vector<int> layer;    // of each tetrahedron: 0 none, else 1 at the wall, counting outward
-  std::vector<Index> prism;  // of each tetrahedron: those of one prism share a number; None
+  std::vector<int> layer; // of each tetrahedron: 0 none, else 1 at the wall, counting outward
+  std::vector<Index>
+    stacks; // the first tetrahedron of each stack of layers, in order; all others come before
   std::vector<Index> column; // of each point: its column; None
   std::vector<Index> origin; // of each point: the point of the input it is or, for a new one, stands over
   // One for each column's root, in order of number; then one for each new point of the walls, in
@@ -64,6 +65,10 @@ struct EnrichedMesh
   std::vector<WallPoint> wallPoints;
   EnrichmentReport report;
 };
+
+// Of each tetrahedron: those of one prism, which is one layer of a stack, share a number, from 0; None. Made on
+// demand, as it takes as much memory as a quarter of the tetrahedra.
+std::vector<Index> numberPrisms(const EnrichedMesh& enriched);
 
 // Enriches a valid mesh by a plan as planLayers makes it. The result is valid: every tetrahedron exactly
 // positive, every face matched; or the outcome says why there is none.

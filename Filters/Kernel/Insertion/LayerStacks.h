@@ -77,7 +77,7 @@ struct StackSink
 {
   std::vector<std::array<Index, 4>>& tetrahedra;
   std::vector<int>& layer;                          // of each tetrahedron, 1 at the wall
-  std::vector<Index>& prism;                        // of each tetrahedron: those of one prism share a number
+  std::vector<Index>& stacks;                       // the first tetrahedron of each stack
   std::vector<std::array<Index, 3>>& sideTriangles; // new boundary triangles in the side patches, outward
   std::vector<int>& sidePatch;
 };
@@ -100,7 +100,6 @@ private:
     const std::array<int, 3>& sideOpposite, const std::array<Index, 3>& current, int corner, Index risen);
 
   StackSink& sink_;
-  Index prism_ = -1;
 };
 
 template <class PointAt>
@@ -113,19 +112,18 @@ void StackWriter::write(const Stack& stack, const std::array<int, 3>& sideOpposi
   const std::size_t end = next + countTets(stack);
   sink_.tetrahedra.resize(end);
   sink_.layer.resize(end);
-  sink_.prism.resize(end);
-  int level = -1;
+  if (end > next)
+  {
+    sink_.stacks.push_back(static_cast<Index>(next));
+  }
   forEachRise(stack,
     [&](int below, int corner, bool isFlat)
     {
-      prism_ += below != level;
-      level = below;
       const Index risen = pointAt(corner, below + 1);
       if (!isFlat)
       {
         sink_.tetrahedra[next] = { current[0], current[1], current[2], risen };
-        sink_.layer[next] = below + 1;
-        sink_.prism[next++] = prism_;
+        sink_.layer[next++] = below + 1;
         if (hasSides)
         {
           writeSides(sideOpposite, current, corner, risen);

@@ -73,11 +73,20 @@ class FaceBuckets
 public:
   struct Entry
   {
-    std::uint64_t others; // the middle and the largest vertex
-    std::uint32_t code;   // a face 4 * t + f, or -(triangle + 1): triangles come after tetrahedra
+    Index middle;
+    Index largest;
+    std::uint32_t code; // a face 4 * t + f, or -(triangle + 1): triangles come after tetrahedra
 
+    // The middle and the largest vertex.
+    std::uint64_t others() const
+    {
+      return static_cast<std::uint64_t>(middle) << 32 | static_cast<std::uint64_t>(largest);
+    }
     Index signedCode() const { return static_cast<Index>(code); }
-    bool operator<(const Entry& b) const { return others != b.others ? others < b.others : code < b.code; }
+    bool operator<(const Entry& b) const
+    {
+      return others() != b.others() ? others() < b.others() : code < b.code;
+    }
   };
 
   explicit FaceBuckets(const MeshData& mesh)
@@ -106,11 +115,8 @@ private:
   void fill(const MeshData& mesh)
   {
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    const auto add = [&](Index bucket, Index middle, Index largest, Index code)
-    {
-      entries_[next[bucket]++] = { static_cast<std::uint64_t>(middle) << 32 |
-          static_cast<std::uint64_t>(largest),
-        static_cast<std::uint32_t>(code) };
+    const auto add = [&](Index bucket, Index middle, Index largest, Index code) {
+      entries_[next[bucket]++] = { middle, largest, static_cast<std::uint32_t>(code) };
     };
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
     {
@@ -229,10 +235,10 @@ public:
     std::ptrdiff_t open = 0;
     for (const FaceBuckets::Entry* e = begin; e != end; ++e)
     {
-      Slot& slot = find(e->others);
+      Slot& slot = find(e->others());
       if (slot.bucket != bucket_)
       {
-        slot = { e->others, e->code, bucket_ };
+        slot = { e->others(), e->code, bucket_ };
         ++open;
         continue;
       }
@@ -291,7 +297,7 @@ void matchBySorting(FaceBuckets::Entry* begin, FaceBuckets::Entry* end, FaceMatc
   while (begin != end)
   {
     const FaceBuckets::Entry* next = begin;
-    while (next != end && next->others == begin->others)
+    while (next != end && next->others() == begin->others())
     {
       ++next;
     }

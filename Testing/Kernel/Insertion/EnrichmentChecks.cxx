@@ -24,7 +24,8 @@ namespace
 void checkArrays(const EnrichedMesh& enriched)
 {
   EXPECT_EQ(enriched.layer.size(), enriched.mesh.tetrahedra.size());
-  EXPECT_EQ(enriched.prism.size(), enriched.mesh.tetrahedra.size());
+  const std::vector<Index> prismOf = ransmesh::numberPrisms(enriched);
+  EXPECT_EQ(prismOf.size(), enriched.mesh.tetrahedra.size());
   EXPECT_EQ(enriched.column.size(), enriched.mesh.points.size());
   EXPECT_EQ(enriched.origin.size(), enriched.mesh.points.size());
   std::map<Index, std::set<int>> layersOfPrism;
@@ -32,12 +33,12 @@ void checkArrays(const EnrichedMesh& enriched)
   std::size_t layerTets = 0;
   for (std::size_t t = 0; t < enriched.layer.size(); ++t)
   {
-    EXPECT_EQ(enriched.layer[t] > 0, enriched.prism[t] != None);
+    EXPECT_EQ(enriched.layer[t] > 0, prismOf[t] != None);
     layerTets += enriched.layer[t] > 0;
-    if (enriched.prism[t] != None)
+    if (prismOf[t] != None)
     {
-      ++tetsOfPrism[enriched.prism[t]];
-      layersOfPrism[enriched.prism[t]].insert(enriched.layer[t]);
+      ++tetsOfPrism[prismOf[t]];
+      layersOfPrism[prismOf[t]].insert(enriched.layer[t]);
     }
   }
   EXPECT_EQ(layerTets, enriched.report.layerTets);

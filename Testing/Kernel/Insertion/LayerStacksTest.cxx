@@ -117,8 +117,8 @@ TEST(LayerStacks, CountsAndNumbersAgree)
 
   MeshData out;
   std::vector<int> layer;
-  std::vector<Index> prism;
-  StackSink sink{ out.tetrahedra, layer, prism, out.triangles, out.trianglePatch };
+  std::vector<Index> stacks;
+  StackSink sink{ out.tetrahedra, layer, stacks, out.triangles, out.trianglePatch };
   StackWriter writer(sink);
   std::size_t count = 0;
   for (const BaseFace& face : faces)
@@ -130,7 +130,9 @@ TEST(LayerStacks, CountsAndNumbersAgree)
   }
   EXPECT_EQ(out.tetrahedra.size(), count);
   EXPECT_EQ(layer.size(), count);
-  EXPECT_EQ(prism.size(), count);
+  ASSERT_EQ(stacks.size(), faces.size());
+  EXPECT_EQ(stacks[0], 0);
+  EXPECT_EQ(stacks[1], static_cast<Index>(countTets(stackOf(plate.set, faces[0]))));
 }
 
 TEST(StackFolds, CleanStacksDoNotFold)
