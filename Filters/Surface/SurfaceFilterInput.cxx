@@ -15,14 +15,19 @@ void acceptSurfaces(vtkInformation* port)
   port->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
 }
 
-Outcome readSurfaces(vtkInformationVector* port, SurfaceInput& input)
+std::vector<vtkDataObject*> dataOf(vtkInformationVector* port)
 {
   std::vector<vtkDataObject*> data;
   for (int i = 0; i < port->GetNumberOfInformationObjects(); ++i)
   {
     data.push_back(vtkDataObject::GetData(port, i));
   }
-  Outcome outcome = readSurface(data, {}, input);
+  return data;
+}
+
+Outcome readSurfaces(vtkInformationVector* port, SurfaceInput& input)
+{
+  Outcome outcome = readSurface(dataOf(port), {}, input);
   if (outcome.ok() && input.surface.triangles.empty())
   {
     return Outcome::badInput("the input is empty: connect a surface of triangles or polygons");

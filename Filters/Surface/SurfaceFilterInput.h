@@ -3,6 +3,7 @@
 
 #include "SurfaceInput.h"
 
+class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 
@@ -10,6 +11,9 @@ namespace ransmesh
 {
 // Poly data, or composite data of them, from any number of connections.
 void acceptSurfaces(vtkInformation* port);
+
+// What is connected to a port.
+std::vector<vtkDataObject*> dataOf(vtkInformationVector* port);
 
 // What all connections of a port hold, as one surface. BadInput where there are no triangles, too.
 Outcome readSurfaces(vtkInformationVector* port, SurfaceInput& input);

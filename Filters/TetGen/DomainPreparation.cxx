@@ -4,7 +4,6 @@
 
 #include "Boundary/FeatureSplit.h"
 #include "Boundary/SheetAttachment.h"
-#include "Boundary/SurfaceRemeshing.h"
 #include "Surface/Preparation.h"
 
 #include <algorithm>
@@ -86,26 +85,23 @@ void splitPatches(const MesherSettings& settings, SurfaceInput& input)
   }
 }
 
-void remarkRemeshing(const RemeshingReport& made, MesherReport& report)
-{
-  std::ostringstream text;
-  text << "Remeshed: " << made.trianglesBefore << " surface triangles became " << made.trianglesAfter
-       << ", which lie within " << made.largestDeviation << " of the given surface, most at ("
-       << made.deviationPlace.x << ", " << made.deviationPlace.y << ", " << made.deviationPlace.z
-       << "); their smallest angle is " << made.smallestAngle << " degrees, above " << made.lowAngle
-       << " for 99 % of them.";
-  report.remark(text.str());
-}
-
 Outcome remesh(
   const MesherSettings& settings, const Planes& planes, SurfaceInput& input, MesherReport& report)
 {
-  if (!settings.remeshing.isWanted())
+  if (!settings.sizing.isWanted())
   {
     return Outcome::done();
   }
+  RemeshingOptions options;
   RemeshingReport made;
-  if (Outcome outcome = remeshSurface(input.surface, settings.remeshing, made); !outcome.ok())
+  PatchTable typed = input.patches;
+  setTypes(settings.typeOfPattern, typed); // patches of type interface are kept
+  if (Outcome outcome = remeshingOptions(settings.sizing, typed, input.surface, options); !outcome.ok())
+  {
+    return outcome;
+  }
+  options.limit = [&settings](const Vector3& x) { return settings.meshing.limits.at(x); };
+  if (Outcome outcome = remeshSurface(input.surface, options, made); !outcome.ok())
   {
     return outcome;
   }
@@ -117,7 +113,7 @@ Outcome remesh(
                        "Choose a smaller SurfaceEdgeLength";
     return outcome;
   }
-  remarkRemeshing(made, report);
+  report.remark(textOf(made));
   return outcome;
 }
 

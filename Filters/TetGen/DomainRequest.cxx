@@ -60,5 +60,10 @@ void describeSizes(const SurfaceMesh& surface, const SizeLimits& limits, worker:
     request.sphereSources.insert(
       request.sphereSources.end(), { s.centre.x, s.centre.y, s.centre.z, s.radius, s.size });
   }
+  for (const SizeLine& l : limits.lines)
+  {
+    request.lineSources.insert(
+      request.lineSources.end(), { l.from.x, l.from.y, l.from.z, l.to.x, l.to.y, l.to.z, l.radius, l.size });
+  }
 }
 } // namespace ransmesh

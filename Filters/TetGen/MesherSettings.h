@@ -3,7 +3,8 @@
 
 #include "DomainMeshing.h"
 
-#include "Boundary/SurfaceRemeshing.h"
+#include "SurfaceSizing.h"
+
 #include "Surface/Preparation.h"
 
 #include <optional>
@@ -18,7 +19,7 @@ struct MesherSettings
   PreparationOptions preparation; // check and repair of the surface
   bool patchFromFeatureAngle = false;
   double featureAngle = 30; // degrees
-  RemeshingOptions remeshing;
+  SurfaceSizing sizing;     // of the remeshed surface
   bool improveTriangles = true;
   double surfaceAngle = 10; // degrees, how far swaps may turn the surface
   std::optional<FarFieldOptions> farField;

@@ -36,6 +36,8 @@ struct vtkIsotropicTetMesher::Internals
 {
   std::vector<ransmesh::SizeBox> Boxes;
   std::vector<ransmesh::SizeSphere> Spheres;
+  std::vector<ransmesh::SizeLine> Lines;
+  std::vector<std::pair<std::string, double>> LengthOfPattern;
   std::vector<std::pair<std::string, std::string>> TypeOfPattern;
   std::array<std::optional<ransmesh::SideName>, 6> Sides;
 };
@@ -92,6 +94,7 @@ vtkIsotropicTetMesher::vtkIsotropicTetMesher()
 vtkIsotropicTetMesher::~vtkIsotropicTetMesher()
 {
   this->SetWorkerExecutable(nullptr);
+  this->SetSurfaceSizeArray(nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -100,6 +103,12 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "SurfaceEdgeLength: " << this->SurfaceEdgeLength << "\n";
+  os << indent << "Patch edge lengths: " << this->Lists->LengthOfPattern.size() << "\n";
+  os << indent << "EdgesPerCircle: " << this->EdgesPerCircle << "\n";
+  os << indent << "EdgesAcrossGap: " << this->EdgesAcrossGap << "\n";
+  os << indent << "SmallestSurfaceEdgeLength: " << this->SmallestSurfaceEdgeLength << "\n";
+  os << indent << "MaximumSurfaceDeviation: " << this->MaximumSurfaceDeviation << "\n";
+  os << indent << "SurfaceSizeArray: " << (this->SurfaceSizeArray ? this->SurfaceSizeArray : "") << "\n";
   os << indent << "Repair: " << this->Repair << "\n";
   os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
   os << indent << "ShortestEdge: " << this->ShortestEdge << "\n";
@@ -127,6 +136,7 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Refinement boxes: " << this->Lists->Boxes.size() << "\n";
   os << indent << "Refinement spheres: " << this->Lists->Spheres.size() << "\n";
+  os << indent << "Refinement lines: " << this->Lists->Lines.size() << "\n";
   os << indent << "Patch types set: " << this->Lists->TypeOfPattern.size() << "\n";
   os << indent << "WorkerExecutable: " << (this->WorkerExecutable ? this->WorkerExecutable : "") << "\n";
   os << indent << "WorkerTimeLimit: " << this->WorkerTimeLimit << "\n";
@@ -153,6 +163,7 @@ void vtkIsotropicTetMesher::ClearRefinements()
 {
   this->ClearRefinementBoxes();
   this->ClearRefinementSpheres();
+  this->ClearRefinementLines();
 }
 
 //------------------------------------------------------------------------------
@@ -166,6 +177,40 @@ void vtkIsotropicTetMesher::ClearRefinementBoxes()
 void vtkIsotropicTetMesher::ClearRefinementSpheres()
 {
   this->Lists->Spheres.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::AddRefinementLine(
+  double x1, double y1, double z1, double x2, double y2, double z2, double radius, double size)
+{
+  this->Lists->Lines.push_back({ { x1, y1, z1 }, { x2, y2, z2 }, radius, size });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearRefinementLines()
+{
+  this->Lists->Lines.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::SetPatchEdgeLength(const char* pattern, double length)
+{
+  if (pattern && length > 0)
+  {
+    this->Lists->LengthOfPattern.emplace_back(pattern, length);
+    this->Modified();
+    return;
+  }
+  vtkErrorMacro("SetPatchEdgeLength needs the name of a patch and a length above 0.");
+}
+
+//------------------------------------------------------------------------------
+void vtkIsotropicTetMesher::ClearPatchEdgeLengths()
+{
+  this->Lists->LengthOfPattern.clear();
   this->Modified();
 }
 
@@ -257,6 +302,10 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
   };
   bool valid = within("MaximumEdgeLength", this->MaximumEdgeLength, 0, 1e50) &&
     within("SurfaceEdgeLength", this->SurfaceEdgeLength, 0, 1e50) &&
+    within("EdgesPerCircle", this->EdgesPerCircle, 0, 1e4) &&
+    within("EdgesAcrossGap", this->EdgesAcrossGap, 0, 1e3) &&
+    within("SmallestSurfaceEdgeLength", this->SmallestSurfaceEdgeLength, 0, 1e50) &&
+    within("MaximumSurfaceDeviation", this->MaximumSurfaceDeviation, 0, 1e50) &&
     within("MaximumSurfaceAngle", this->MaximumSurfaceAngle, 0, 90) &&
     within("SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3) &&
     within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
@@ -283,6 +332,10 @@ bool vtkIsotropicTetMesher::OptionsAreValid()
   {
     valid = within("The size of a refinement sphere", this->Lists->Spheres[i].size, smallest, 1e50);
   }
+  for (std::size_t i = 0; valid && i < this->Lists->Lines.size(); ++i)
+  {
+    valid = within("The size of a refinement line", this->Lists->Lines[i].size, smallest, 1e50);
+  }
   return valid;
 }
 
@@ -308,8 +361,16 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.preparation.repairs = { this->WeldTolerance, this->ShortestEdge, this->LargestHole };
   settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
   settings.featureAngle = this->FeatureAngle;
-  settings.remeshing.length = this->SurfaceEdgeLength;
-  settings.remeshing.featureAngle = this->FeatureAngle;
+  ransmesh::RemeshingOptions& remeshing = settings.sizing.general;
+  remeshing.length = this->SurfaceEdgeLength;
+  remeshing.edgesPerCircle = this->EdgesPerCircle;
+  remeshing.edgesAcrossGap = this->EdgesAcrossGap;
+  remeshing.gapSide = this->FarField ? ransmesh::GapSide::Outside : ransmesh::GapSide::Inside;
+  remeshing.smallest = this->SmallestSurfaceEdgeLength;
+  remeshing.slope = this->SurfaceGrowthRate - 1;
+  remeshing.deviation = this->MaximumSurfaceDeviation;
+  remeshing.featureAngle = this->FeatureAngle;
+  settings.sizing.lengthOfPattern = this->Lists->LengthOfPattern;
   settings.improveTriangles = this->ImproveSurfaceTriangles;
   settings.surfaceAngle = this->MaximumSurfaceAngle;
   this->DescribeDomain(settings);
@@ -318,6 +379,7 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.meshing.limits.slope = this->SurfaceGrowthRate - 1;
   settings.meshing.limits.boxes = this->Lists->Boxes;
   settings.meshing.limits.spheres = this->Lists->Spheres;
+  settings.meshing.limits.lines = this->Lists->Lines;
   settings.meshing.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
   settings.meshing.minimumDihedral = this->MinimumDihedralAngle;
   return settings;
@@ -383,7 +445,15 @@ int vtkIsotropicTetMesher::RequestData(
   {
     return this->Refuse(outcome, report, problems);
   }
-  const ransmesh::MesherSettings settings = this->GetSettings();
+  ransmesh::MesherSettings settings = this->GetSettings();
+  if (this->SurfaceSizeArray && *this->SurfaceSizeArray)
+  {
+    outcome = ransmesh::readLengthsAtPoints(dataOf(inputVector[0]), this->SurfaceSizeArray, settings.sizing);
+    if (!outcome.ok())
+    {
+      return this->Refuse(outcome, report, problems);
+    }
+  }
   ransmesh::Domain domain;
   outcome = ransmesh::prepareDomain(settings, std::move(input), domain, report);
   if (!outcome.ok())

@@ -75,6 +75,58 @@ public:
   vtkGetMacro(SurfaceEdgeLength, double);
   ///@}
 
+  /**
+   * The edge length to which the patches that a pattern takes (a name, a name with the wildcards * and ?, or a
+   * number) are remeshed, above 0; if nothing else asks for remeshing, other patches are kept. Later calls win.
+   */
+  void SetPatchEdgeLength(const char* pattern, double length);
+  void ClearPatchEdgeLengths();
+
+  ///@{
+  /**
+   * How many edges a full circle of the surface's curvature, or of a curved line of edges, is to have; 12 to 36 are
+   * usual; remeshes the surface. Default 0: curvature does not matter.
+   */
+  vtkSetMacro(EdgesPerCircle, double);
+  vtkGetMacro(EdgesPerCircle, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many edges are to fit between the surface and the next part of it that faces it across the fluid; remeshes
+   * the surface. Default 0: gaps do not matter.
+   */
+  vtkSetMacro(EdgesAcrossGap, double);
+  vtkGetMacro(EdgesAcrossGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * Curvature and gaps ask for no smaller edges than this, in the unit of the surface. Default 0: a hundredth of the
+   * largest.
+   */
+  vtkSetMacro(SmallestSurfaceEdgeLength, double);
+  vtkGetMacro(SmallestSurfaceEdgeLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How far a remeshed triangle may lie from the given surface, in its unit. Default 0: a twentieth of the wanted
+   * edge.
+   */
+  vtkSetMacro(MaximumSurfaceDeviation, double);
+  vtkGetMacro(MaximumSurfaceDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * The name of a point array of the surfaces with the largest edge that is wanted at each point, 0 and less meaning
+   * none; remeshes the surface. Default empty: no array.
+   */
+  vtkSetStringMacro(SurfaceSizeArray);
+  vtkGetStringMacro(SurfaceSizeArray);
+  ///@}
+
   ///@{
   /**
    * Whether faults of the surface are mended where that does not change its shape, by the three lengths below:
@@ -279,9 +331,16 @@ public:
    * Asks for edges of at most `size` in a sphere; around it sizes grow by SurfaceGrowthRate.
    */
   void AddRefinementSphere(double cx, double cy, double cz, double radius, double size);
+  /**
+   * Asks for edges of at most `size` within a radius (0: on it alone) of a line; around it sizes grow by
+   * SurfaceGrowthRate.
+   */
+  void AddRefinementLine(
+    double x1, double y1, double z1, double x2, double y2, double z2, double radius, double size);
   void ClearRefinements();
   void ClearRefinementBoxes();
   void ClearRefinementSpheres();
+  void ClearRefinementLines();
 
   /**
    * Sets the type of the patches that a pattern takes (a name, a name with the wildcards * and ?, or a
@@ -328,6 +387,11 @@ protected:
 
   double MaximumEdgeLength = 0;
   double SurfaceEdgeLength = 0;
+  double EdgesPerCircle = 0;
+  double EdgesAcrossGap = 0;
+  double SmallestSurfaceEdgeLength = 0;
+  double MaximumSurfaceDeviation = 0;
+  char* SurfaceSizeArray = nullptr;
   bool Repair = true;
   double WeldTolerance = -1;
   double ShortestEdge = -1;

@@ -266,6 +266,18 @@ class Options(CommandLineTest):
     def test_surfaces_are_remeshed(self):
         kept = self.cells("--isotropic-only")
         self.assertGreater(self.cells("--isotropic-only", "--surface-size", "0.03"), 2 * kept)
+        self.assertGreater(self.cells("--isotropic-only", "--surface-size", "*=0.03"), 2 * kept)
+        self.assertGreater(self.cells("--isotropic-only", "--edges-per-circle", "60", "--surface-size", "0.2"), kept)
+        os.remove(self.mesh)
+        for wrong in ("0", "=1", "keel=-1"):
+            self.fails(2, "--surface-size must be above 0", *LAYERS, "--surface-size", wrong, "-o", self.mesh)
+
+    def test_sizes_are_refined(self):
+        kept = self.cells("--isotropic-only")
+        for place in (["--refine-box", "0", "0.3", "0", "0.3", "0", "0.3", "0.02"],
+                      ["--refine-sphere", "0", "0", "0", "0.3", "0.02"],
+                      ["--refine-line", "-0.2", "0", "0", "0.2", "0", "0", "0.1", "0.02"]):
+            self.assertGreater(self.cells("--isotropic-only", *place), 2 * kept, place)
 
     def test_diagonals_are_swapped(self):
         # A box with a cap in one side: a point near the middle of that side's diagonal.

@@ -11,7 +11,7 @@ from paraview import simple
 # Found from the input's bounds; in C++ there is no default.
 FROM_BOUNDS = {("RANSPointRemoval", "FirstHeight")}
 FILTERS = ("IsotropicTetMesher", "RANSPointRemoval", "DirectionalEnrichment", "PrismRecombination",
-           "MeshQualityReport", "SurfaceCheck", "SurfaceRepair", "SurfaceWrap")
+           "MeshQualityReport", "SurfaceCheck", "SurfaceRepair", "SurfaceRemesher", "SurfaceWrap")
 
 
 def plugin_xml():

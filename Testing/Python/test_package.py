@@ -4,7 +4,7 @@ import ransmeshing
 FILTERS = ("vtkIsotropicTetMesher", "vtkRANSPointRemoval", "vtkDirectionalEnrichment", "vtkPrismRecombination",
            "vtkMeshQualityReport")
 
-SURFACE_FILTERS = ("vtkSurfaceCheck", "vtkSurfaceRepair", "vtkSurfaceWrap")
+SURFACE_FILTERS = ("vtkSurfaceCheck", "vtkSurfaceRepair", "vtkSurfaceRemesher", "vtkSurfaceWrap")
 
 for name in FILTERS + SURFACE_FILTERS:
     cls = getattr(ransmeshing, name)

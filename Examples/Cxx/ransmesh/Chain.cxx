@@ -61,7 +61,17 @@ vtkAlgorithm* Chain::isotropicMesh() const
 
 void Chain::describeSurfaces()
 {
-  mesher_->SetSurfaceEdgeLength(options_.surfaceSize);
+  const RemeshOptions& remesh = options_.remesh;
+  mesher_->SetSurfaceEdgeLength(remesh.length);
+  for (const auto& [patch, length] : remesh.ofPatch)
+  {
+    mesher_->SetPatchEdgeLength(patch.c_str(), length);
+  }
+  mesher_->SetEdgesPerCircle(remesh.edgesPerCircle);
+  mesher_->SetEdgesAcrossGap(remesh.edgesAcrossGap);
+  mesher_->SetSmallestSurfaceEdgeLength(remesh.smallest);
+  mesher_->SetMaximumSurfaceDeviation(remesh.deviation);
+  mesher_->SetSurfaceSizeArray(remesh.array.c_str());
   if (options_.swapAngle >= 0)
   {
     mesher_->SetImproveSurfaceTriangles(options_.swapAngle > 0);
@@ -85,6 +95,22 @@ void Chain::describeRepair()
 void Chain::describeDomain()
 {
   mesher_->SetMaximumEdgeLength(options_.size);
+  if (options_.sizeGrowth > 0)
+  {
+    mesher_->SetSurfaceGrowthRate(options_.sizeGrowth);
+  }
+  for (const auto& b : options_.refine.boxes)
+  {
+    mesher_->AddRefinementBox(b[0], b[1], b[2], b[3], b[4], b[5], b[6]);
+  }
+  for (const auto& s : options_.refine.spheres)
+  {
+    mesher_->AddRefinementSphere(s[0], s[1], s[2], s[3], s[4]);
+  }
+  for (const auto& l : options_.refine.lines)
+  {
+    mesher_->AddRefinementLine(l[0], l[1], l[2], l[3], l[4], l[5], l[6], l[7]);
+  }
   if (options_.farField > 0)
   {
     const double margin = options_.farField;

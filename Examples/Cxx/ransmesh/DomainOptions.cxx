@@ -42,6 +42,22 @@ void addSides(Options& options, Arguments& arguments, const std::string& option)
   }
 }
 
+// So many numbers, the last of them a length above 0.
+template <std::size_t N>
+std::array<double, N> numbersOf(Arguments& arguments, const std::string& option)
+{
+  std::array<double, N> numbers{};
+  for (double& number : numbers)
+  {
+    number = finiteNumber(arguments.valueOf(option), option);
+  }
+  if (numbers.back() <= 0)
+  {
+    throw UsageError(option + ": the last number is the edge length; it must be above 0");
+  }
+  return numbers;
+}
+
 void setFarField(Options& options, double margin, bool sphere)
 {
   if (options.farField > 0)
@@ -54,8 +70,9 @@ void setFarField(Options& options, double margin, bool sphere)
 
 void check(const Options& options)
 {
-  const bool isShaped = options.farField > 0 || options.size > 0 || options.symmetry.axis > 0 ||
-    options.waterline.axis > 0 || options.ground.axis > 0;
+  const bool isShaped = options.farField > 0 || options.size > 0 || options.sizeGrowth > 0 ||
+    options.refine.isGiven() || options.symmetry.axis > 0 || options.waterline.axis > 0 ||
+    options.ground.axis > 0;
   if (options.isMesh() && isShaped)
   {
     throw UsageError(
@@ -82,6 +99,10 @@ const OptionGroup& domainOptions()
       { "--waterline", [](O& o, A& a, S& name) { o.waterline = planeOf(a, name); } },
       { "--ground", [](O& o, A& a, S& name) { o.ground = planeOf(a, name); } },
       { "--size", [](O& o, A& a, S& name) { o.size = positiveOf(a, name); } },
+      { "--size-growth", [](O& o, A& a, S& name) { o.sizeGrowth = positiveOf(a, name, 1); } },
+      { "--refine-box", [](O& o, A& a, S& name) { o.refine.boxes.push_back(numbersOf<7>(a, name)); } },
+      { "--refine-sphere", [](O& o, A& a, S& name) { o.refine.spheres.push_back(numbersOf<5>(a, name)); } },
+      { "--refine-line", [](O& o, A& a, S& name) { o.refine.lines.push_back(numbersOf<8>(a, name)); } },
     },
     check, R"(
 Domain
@@ -97,6 +118,12 @@ Domain
   --waterline z=V       what lies above this plane is cut off; patch `waterline`, of type symmetry
   --ground z=V          what lies below this plane is cut off, as of wheels; patch `ground`, a wall
   --size L              largest edge in the field
+  --size-growth G       ratio of successive edges away from surfaces and places of refinement (1.3)
+  --refine-box XMIN XMAX YMIN YMAX ZMIN ZMAX L
+  --refine-sphere X Y Z RADIUS L
+  --refine-line X1 Y1 Z1 X2 Y2 Z2 RADIUS L
+                        edges of at most L in a box, in a sphere, within a radius of a line; may be given
+                        several times
 )"
   };
   return group;

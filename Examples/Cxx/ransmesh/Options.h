@@ -1,8 +1,10 @@
 // What the user asked for on the command line.
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace commandline
@@ -33,6 +35,33 @@ struct RepairOptions
   double largestHole = 0;   // 0: holes are not filled
   double wrapAlpha = 0;     // 0: no wrap
   double wrapOffset = 0;    // 0: not given
+};
+
+// Sizes to which surfaces are remeshed; lengths in their unit; 0: not given.
+struct RemeshOptions
+{
+  double length = 0;
+  std::vector<std::pair<std::string, double>> ofPatch;
+  double edgesPerCircle = 0;
+  double edgesAcrossGap = 0;
+  double smallest = 0;
+  double deviation = 0;
+  std::string array; // of the points; empty: none
+
+  bool isGiven() const
+  {
+    return length > 0 || edgesPerCircle > 0 || edgesAcrossGap > 0 || !ofPatch.empty() || !array.empty();
+  }
+};
+
+// Places with small edges, as the numbers that the mesher takes.
+struct RefinementOptions
+{
+  std::vector<std::array<double, 7>> boxes;
+  std::vector<std::array<double, 5>> spheres;
+  std::vector<std::array<double, 8>> lines;
+
+  bool isGiven() const { return !boxes.empty() || !spheres.empty() || !lines.empty(); }
 };
 
 struct PlaneOption
@@ -66,8 +95,10 @@ struct Options
   PlaneOption waterline;
   PlaneOption ground;
   std::vector<SideOption> sides;
-  double size = 0;        // 0: no limit
-  double surfaceSize = 0; // 0: surfaces are kept
+  double size = 0;       // 0: no limit
+  double sizeGrowth = 0; // 0: not given
+  RemeshOptions remesh;
+  RefinementOptions refine;
   double swapAngle = -1;  // degrees; 0: the surface triangles are kept; negative: not given
   double firstHeight = 0; // 0: not given
   double growth = 0;      // 0: not given

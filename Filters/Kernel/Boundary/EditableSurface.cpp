@@ -180,10 +180,12 @@ std::vector<Index> EditableSurface::neighbours(Index v) const
 
 std::vector<Index> EditableSurface::trianglesAt(Index a, Index b) const
 {
+  // Points in the middle of fans may have thousands.
+  const bool isFewer = trianglesAt_[a].size() < trianglesAt_[b].size();
   std::vector<Index> found;
-  for (const Index t : trianglesAt_[a])
+  for (const Index t : trianglesAt_[isFewer ? a : b])
   {
-    if (has(triangle(t), b))
+    if (has(triangle(t), isFewer ? b : a))
     {
       found.push_back(t);
     }
@@ -255,10 +257,10 @@ bool EditableSurface::mayCollapse(Index gone, Index kept) const
   }
   // The points next to both are the third corners at the edge: nothing else would fold together.
   const std::vector<Index> at = trianglesAt(gone, kept);
-  const std::vector<Index> one = neighbours(gone);
-  const std::vector<Index> other = neighbours(kept);
-  std::vector<Index> both;
-  std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
+  std::vector<Index> both = neighbours(gone);
+  both.erase(std::remove_if(
+               both.begin(), both.end(), [&](Index v) { return v == kept || trianglesAt(v, kept).empty(); }),
+    both.end());
   if (both.size() != at.size() || trianglesAt_[gone].size() <= at.size())
   {
     return false;

@@ -163,9 +163,18 @@ bool RemeshGuard::collapseBetters(Index gone, Index kept) const
   return least > leastAngleAround(gone);
 }
 
-double RemeshGuard::farthestOfLines(Index v) const
+// How far the edges at a point lie from the given surface and lines.
+double RemeshGuard::farthestOfEdges(Index v) const
 {
   double most = 0;
+  for (const Index w : surface_.neighbours(v))
+  {
+    if (surface_.lineOf(v, w) == None)
+    {
+      const int patch = surface_.patch(surface_.trianglesAt(v, w)[0]);
+      most = std::max(most, offPatch(surface_.point(v), surface_.point(w), patch));
+    }
+  }
   for (const Index w :
     surface_.freedom(v) == PointFreedom::Line ? surface_.neighboursOnLines(v) : std::vector<Index>())
   {
@@ -178,24 +187,27 @@ void RemeshGuard::moveIfBetter(Index v, const Vector3& place, double tolerance)
 {
   const Vector3 before = surface_.point(v);
   const double angle = leastAngleAround(v);
-  const double off = farthestOfLines(v);
   std::vector<double> turns;
   for (const Index t : surface_.trianglesAt(v))
   {
     turns.push_back(following(surface_.triangle(t), surface_.patch(t)));
   }
   surface_.move(v, place);
-  bool isFine =
-    leastAngleAround(v) >= std::min(angle, GoodAngle) && farthestOfLines(v) <= std::max(tolerance, off);
+  bool isFine = leastAngleAround(v) >= std::min(angle, GoodAngle);
   for (std::size_t i = 0; isFine && i < turns.size(); ++i)
   {
     const Index t = surface_.trianglesAt(v)[i];
     isFine =
       follows(surface_.triangle(t), surface_.patch(t), std::min(turns[i], cosineOfDegrees(TurnOfTriangle)));
   }
-  if (!isFine)
+  const double off = isFine ? farthestOfEdges(v) : 0;
+  if (!isFine || off > tolerance)
   {
     surface_.move(v, before);
+    if (isFine && off <= farthestOfEdges(v)) // it was worse
+    {
+      surface_.move(v, place);
+    }
   }
 }
 } // namespace ransmesh

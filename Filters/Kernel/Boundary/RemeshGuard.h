@@ -34,7 +34,7 @@ private:
   double offPatch(const Vector3& a, const Vector3& b, int patch) const;
   double offLine(const Vector3& a, const Vector3& b, Index line) const;
   bool lineAllows(Index gone, Index kept, double tolerance) const;
-  double farthestOfLines(Index v) const;
+  double farthestOfEdges(Index v) const;
 
   EditableSurface& surface_;
   const SurfaceReference& reference_;

@@ -146,16 +146,24 @@ double RemeshSizes::givenLength(const EditableSurface& surface, Index v, int pat
   return area > 0 ? sum / area : options_.pointLengths[t[0]];
 }
 
-double RemeshSizes::wantedAt(const EditableSurface& surface, Index v) const
+double RemeshSizes::wantedAt(const EditableSurface& surface, Index v, bool byCurvature) const
 {
   double size = INFINITY;
   double smallest = INFINITY;
+  bool isAsked = options_.length > 0; // by more than a default
   for (const Index t : surface.trianglesAt(v))
   {
+    const auto patch = static_cast<std::size_t>(surface.patch(t));
+    isAsked = isAsked || (patch < options_.patchLengths.size() && options_.patchLengths[patch] > 0);
     size = std::min(size, lengths_[surface.patch(t)]);
     smallest = std::min(smallest, smallestOf(surface.patch(t)));
   }
-  if (options_.edgesPerCircle > 0)
+  if (!options_.pointLengths.empty())
+  {
+    const double given = givenLength(surface, v, surface.patch(surface.trianglesAt(v)[0]));
+    size = !isAsked && given < INFINITY ? given : std::min(size, given);
+  }
+  if (byCurvature && options_.edgesPerCircle > 0)
   {
     const int patch = surface.patch(surface.trianglesAt(v)[0]);
     const Index t = reference_.closestOnPatch(surface.point(v), patch).triangle;
@@ -170,21 +178,17 @@ double RemeshSizes::wantedAt(const EditableSurface& surface, Index v) const
     const double reach = options_.edgesAcrossGap * size;
     size = std::min(size, std::max(smallest, gaps_->widthAt(surface, v, reach) / options_.edgesAcrossGap));
   }
-  if (!options_.pointLengths.empty())
-  {
-    size = std::min(size, givenLength(surface, v, surface.patch(surface.trianglesAt(v)[0])));
-  }
   return options_.limit ? std::min(size, options_.limit(surface.point(v))) : size;
 }
 
-std::vector<double> RemeshSizes::at(const EditableSurface& surface) const
+std::vector<double> RemeshSizes::at(const EditableSurface& surface, bool byCurvature) const
 {
   std::vector<double> sizes(surface.pointCount(), INFINITY);
   for (std::size_t v = 0; v < sizes.size(); ++v)
   {
     if (!surface.trianglesAt(static_cast<Index>(v)).empty())
     {
-      sizes[v] = wantedAt(surface, static_cast<Index>(v));
+      sizes[v] = wantedAt(surface, static_cast<Index>(v), byCurvature);
     }
   }
   limitGrowth(surface, options_.slope, sizes);

@@ -19,10 +19,10 @@ public:
 
   // The wanted edge length at each point of a surface with the reference's patches and lines. Curvature is
   // measured on the surface's own triangles: edges that are longer than wanted see less of it.
-  std::vector<double> at(const EditableSurface& surface) const;
+  std::vector<double> at(const EditableSurface& surface, bool byCurvature) const;
 
 private:
-  double wantedAt(const EditableSurface& surface, Index v) const;
+  double wantedAt(const EditableSurface& surface, Index v, bool byCurvature) const;
   double smallestOf(int patch) const;
   double curvedLength(const EditableSurface& surface, Index v) const;
   double bentLength(const EditableSurface& surface, Index v) const;

@@ -13,6 +13,7 @@ namespace
 {
 constexpr int Rounds = 8;
 constexpr int MovementsInRound = 2;
+constexpr int MostPasses = 10;
 constexpr std::size_t MostTriangles = 20'000'000;
 // Edges outside of these parts of the wanted length are collapsed and split: half and twice would be the
 // least that does not go round in circles.
@@ -23,7 +24,7 @@ constexpr double NarrowAngle = 25;
 constexpr double NarrowLongEdge = 2;
 constexpr double LittleLonger = 1.1;
 constexpr double LeastGain = 1e-3; // degrees, of the smallest angle by a swap
-constexpr double NearShare = 0.25; // of an edge: farther points of the given surface are not what was divided
+constexpr double NearShare = 0.5;  // of an edge: farther points of the given surface are not what was divided
 
 double smallestAngle(const SurfaceMesh& surface, const Corners& t)
 {
@@ -52,13 +53,17 @@ public:
       {
         return Outcome::cancelled();
       }
-      sizes_ = field_.at(surface_);
+      // Needles and slivers tell little of the curvature: it is looked for once they have gone.
+      sizes_ = field_.at(surface_, round > 0);
       if (trianglesToCome() > MostTriangles)
       {
         return Outcome::badInput("the surface edges that are asked for make more than 20 million triangles; "
                                  "ask for longer ones");
       }
-      collapseShortEdges();
+      // As far as it goes: what is split instead makes many triangles of needles.
+      for (int pass = 0; collapseShortEdges() > 0 && pass < MostPasses; ++pass)
+      {
+      }
       splitLongEdges();
       collapseShortEdges();
       swapDiagonals();
@@ -176,8 +181,10 @@ private:
     }
   }
 
-  void collapseShortEdges()
+  // Gives the number of edges that went.
+  std::size_t collapseShortEdges()
   {
+    std::size_t count = 0;
     Queue queue;
     forEachEdgeOnce([&](Index a, Index b) { offerShort(queue, a, b); });
     while (!queue.empty())
@@ -188,25 +195,27 @@ private:
       {
         continue;
       }
-      const Index kept = collapseEither(a, b, LongEdge);
-      if (kept != None)
+      std::vector<Index> around;
+      const Index kept = collapseEither(a, b, LongEdge, around);
+      count += kept == None ? 0 : 1;
+      for (const Index w : around)
       {
-        for (const Index w : surface_.neighbours(kept))
-        {
-          offerShort(queue, kept, w);
-        }
+        offerShort(queue, kept, w);
       }
     }
+    return count;
   }
 
-  // The point that remains, or None where neither may go.
-  Index collapseEither(Index a, Index b, double longest)
+  // The point that remains, or None where neither may go; the ends of its edges that came.
+  Index collapseEither(Index a, Index b, double longest, std::vector<Index>& around)
   {
     for (const auto& [gone, kept] : { std::pair(b, a), std::pair(a, b) })
     {
       if (surface_.mayCollapse(gone, kept) && staysShort(gone, kept, longest) &&
         guard_.allowsCollapse(gone, kept, toleranceAt(gone, kept)))
       {
+        around = surface_.neighbours(gone);
+        around.erase(std::find(around.begin(), around.end(), kept));
         surface_.collapse(gone, kept);
         return kept;
       }
@@ -376,7 +385,8 @@ private:
       const Index b = c[(shortest + 1) % 3];
       if (guard_.collapseBetters(a, b) || guard_.collapseBetters(b, a))
       {
-        collapseEither(a, b, NarrowLongEdge);
+        std::vector<Index> around;
+        collapseEither(a, b, NarrowLongEdge, around);
       }
     }
   }

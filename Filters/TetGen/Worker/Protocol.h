@@ -9,7 +9,7 @@
 
 namespace ransmesh::worker
 {
-inline constexpr std::uint64_t Version = 0x52414e534d533033; // "RANSMS03"
+inline constexpr std::uint64_t Version = 0x52414e534d533034; // "RANSMS04"
 
 // Exit status of the worker: 0, one of these, or, when TetGen gave up with an error number, ExitTetGen +
 // number. Sanitizers end programs with statuses around 23, shells use 126 and more.
@@ -41,6 +41,7 @@ struct Request
   std::vector<double> pointSources;  // x, y, z, size
   std::vector<double> boxSources;    // xmin, xmax, ymin, ymax, zmin, zmax, size
   std::vector<double> sphereSources; // x, y, z, radius, size
+  std::vector<double> lineSources;   // two ends, radius, size
 };
 
 struct Result
@@ -72,6 +73,7 @@ void transfer(Archive& archive, Request& r)
   archive(r.pointSources);
   archive(r.boxSources);
   archive(r.sphereSources);
+  archive(r.lineSources);
 }
 
 template <class Archive>

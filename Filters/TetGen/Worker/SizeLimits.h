@@ -34,7 +34,23 @@ struct SizeSphere
   double size = 0;
 };
 
-// The smallest of a constant and, over boxes and spheres, size + slope * distance; infinity if there
+// All that lies within the radius of a segment.
+struct SizeLine
+{
+  Vector3 from;
+  Vector3 to;
+  double radius = 0;
+  double size = 0;
+};
+
+inline double distanceToSegment(const Vector3& a, const Vector3& b, const Vector3& x)
+{
+  const double square = dot(b - a, b - a);
+  const double part = square > 0 ? std::clamp(dot(x - a, b - a) / square, 0.0, 1.0) : 0;
+  return distance(x, a + part * (b - a));
+}
+
+// The smallest of a constant and, over boxes, spheres and lines, size + slope * distance; infinity if there
 // is none.
 struct SizeLimits
 {
@@ -42,6 +58,7 @@ struct SizeLimits
   double slope = 0;
   std::vector<SizeBox> boxes;
   std::vector<SizeSphere> spheres;
+  std::vector<SizeLine> lines;
 
   double at(const Vector3& x) const
   {
@@ -54,6 +71,11 @@ struct SizeLimits
     {
       wanted =
         std::min(wanted, sphere.size + slope * std::max(0.0, distance(x, sphere.centre) - sphere.radius));
+    }
+    for (const SizeLine& line : lines)
+    {
+      const double off = distanceToSegment(line.from, line.to, x) - line.radius;
+      wanted = std::min(wanted, line.size + slope * std::max(0.0, off));
     }
     return wanted;
   }

@@ -72,6 +72,15 @@ double mostPoints(const Request& request)
     const double r = s[i + 3];
     asked += pointsIn(4.2 * r * r * r, 12.6 * r * r, s[i + 4], request.slope);
   }
+  const auto& l = request.lineSources;
+  for (std::size_t i = 0; i + 7 < l.size(); i += 8)
+  {
+    const double r = l[i + 6];
+    const double length = distance({ l[i], l[i + 1], l[i + 2] }, { l[i + 3], l[i + 4], l[i + 5] });
+    asked +=
+      pointsIn((3.2 * length + 4.2 * r) * r * r, (6.3 * length + 12.6 * r) * r, l[i + 7], request.slope);
+    asked += length / l[i + 7]; // a line without a radius
+  }
   return 2e4 + 5 * asked;
 }
 
@@ -96,6 +105,12 @@ public:
     for (std::size_t i = 0; i + 4 < s.size(); i += 5)
     {
       limits_.spheres.push_back({ { s[i], s[i + 1], s[i + 2] }, s[i + 3], s[i + 4] });
+    }
+    const auto& l = request.lineSources;
+    for (std::size_t i = 0; i + 7 < l.size(); i += 8)
+    {
+      limits_.lines.push_back(
+        { { l[i], l[i + 1], l[i + 2] }, { l[i + 3], l[i + 4], l[i + 5] }, l[i + 6], l[i + 7] });
     }
   }
 
