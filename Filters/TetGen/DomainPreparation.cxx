@@ -7,7 +7,6 @@
 #include "Surface/Preparation.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace ransmesh
 {
