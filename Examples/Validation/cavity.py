@@ -23,7 +23,7 @@ import slab
 
 REYNOLDS = 1000
 DEPTH = 0.1
-STEPS = 800  # of simpleFoam
+STEPS = 600  # of simpleFoam
 TYPES = {"lid": "wall", "walls": "wall", "front": "symmetry", "back": "symmetry"}
 #         edge, first height, growth, layers; largest deviation, root mean square
 FULL = (0.0238, 0.003, 1.25, 10, 0.025, 0.010)
