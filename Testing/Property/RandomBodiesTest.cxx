@@ -60,7 +60,7 @@ bool isMeshedWell(std::uint32_t seed, VolumeChanges& largest)
     const chain_run::ChainResult result = runChain(toPolyData(random.body), options);
     EXPECT_EQ(result.faults, "") << "seed " << seed;
     // Round walls lose points, and get new chords, beside concave edges.
-    EXPECT_LT(result.volumeChangeByRemoval, 1e-3) << "seed " << seed;
+    EXPECT_LT(result.volumeChangeByRemoval, 5e-3) << "seed " << seed;
     EXPECT_LT(result.volumeChange, 5e-4) << "seed " << seed;
     EXPECT_GT(result.inserted, 0) << "seed " << seed;
     largest.byRemoval = std::max(largest.byRemoval, result.volumeChangeByRemoval);

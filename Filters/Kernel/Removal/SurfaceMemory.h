@@ -16,7 +16,7 @@ namespace ransmesh
 {
 // How far a surface may come away from a point that it loses, times the length of the edges there: walls with
 // layers keep their shape, curved patches that adjoin them give way.
-inline constexpr double largestWallDrift = 0.005;
+inline constexpr double largestWallDrift = 0.05;
 inline constexpr double largestSideDrift = 0.1;
 
 class SurfaceMemory
