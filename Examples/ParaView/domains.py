@@ -12,7 +12,7 @@ surface. Without a display, run it under `xvfb-run -a`.
 import os
 import sys
 
-from paraview.simple import (ColorBy, CreateView, LoadPlugin, OpenDataFile, Render, ResetCamera, SaveData,
+from paraview.simple import (CreateView, LoadPlugin, OpenDataFile, Render, ResetCamera, SaveData,
                              SaveScreenshot, Show, UpdatePipeline)
 
 
@@ -58,7 +58,7 @@ def show_patches(view, mesh, numbers, colors):
                           UpperThreshold=number)
         display = Show(patch, view)
         display.Representation = "Surface With Edges"
-        ColorBy(display, None)
+        display.ColorArrayName = ["POINTS", ""]  # of one colour
         display.AmbientColor = display.DiffuseColor = color
 
 
