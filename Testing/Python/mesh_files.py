@@ -196,21 +196,31 @@ def read_gmsh(path):
         gmsh.finalize()
 
 
-def numbers_in(points, reference):
-    """For each point, the row of the reference that it is equal to, bit for bit."""
-    of_reference, of_points = (np.ascontiguousarray(a).view("V%d" % (8 * 3)).ravel() for a in (reference, points))
-    order = np.argsort(of_reference, kind="stable")
-    rows = order[np.searchsorted(of_reference, of_points, sorter=order).clip(max=len(order) - 1)]
-    assert (of_reference[rows] == of_points).all(), "a patch has a point that the volume has not"
-    return rows
+class PointNumbers:
+    """Finds points in others that are equal to them, bit for bit."""
+
+    def __init__(self, reference):
+        self.rows = self.as_rows(reference)
+        self.order = np.argsort(self.rows, kind="stable")
+
+    @staticmethod
+    def as_rows(points):
+        return np.ascontiguousarray(points).view("V24").ravel()
+
+    def of(self, points):
+        wanted = self.as_rows(points)
+        found = np.searchsorted(self.rows, wanted, sorter=self.order).clip(max=len(self.order) - 1)
+        rows = self.order[found]
+        assert (self.rows[rows] == wanted).all(), "a patch has a point that the volume has not"
+        return rows
 
 
 def of_blocks(volume, surfaces):
     """A mesh of data sets: a volume, and surfaces by name whose points lie on its points."""
     points = vtk_to_numpy(volume.GetPoints().GetData()).astype(float)
-    patches = {}
+    numbers, patches = PointNumbers(points), {}
     for name, surface in surfaces:
-        of_mesh = numbers_in(vtk_to_numpy(surface.GetPoints().GetData()).astype(float), points)
+        of_mesh = numbers.of(vtk_to_numpy(surface.GetPoints().GetData()).astype(float))
         patches[name] = [of_mesh[face] for face in faces_of(surface)]
     return Mesh(points, volume_of(volume), patches)
 
