@@ -87,12 +87,15 @@ private:
     return steps_[c] == 0 ? 0 : std::min(1.0, static_cast<double>(sweep) / steps_[c]);
   }
 
+  // Tops that are behind go by steps of their own: to try the whole way again with the others is in vain.
   void moveTogether(int sweep)
   {
     std::vector<double> target(set_.columns.size());
     for (std::size_t c = 0; c < target.size(); ++c)
     {
-      target[c] = targetShare(static_cast<Index>(c), sweep);
+      const auto column = static_cast<Index>(c);
+      const bool keepsUp = front_.share(column) >= targetShare(column, sweep - 1);
+      target[c] = keepsUp ? targetShare(column, sweep) : 0;
     }
     report_.movedTogether += joint_.run(target);
   }
