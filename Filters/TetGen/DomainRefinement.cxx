@@ -2,8 +2,11 @@
 
 #include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceSizes.h"
+#include "Geometry/TetrahedronMeasures.h"
 
+#include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace ransmesh
 {
@@ -106,6 +109,27 @@ Outcome mesh(const MesherSettings& settings, const Domain& domain, const TetGenW
   report.problems = std::move(meshed.problems);
   return outcome;
 }
+// A tetrahedron of which double precision does not tell which way it is turned: readers of the mesh that compute
+// in it would take it for inverted.
+bool hasFlatTetrahedra(const MeshData& mesh)
+{
+  constexpr double flat = 1e-13;
+  const auto& p = mesh.points;
+  return std::any_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
+    [&p](const auto& t) { return quality(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < flat; });
+}
+
+Outcome meshAsGiven(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
+  const Context& context, DomainMesh& result, MesherReport& report)
+{
+  result.triangles = {};
+  Domain asGiven = domain;
+  if (Outcome divided = divideLongEdges(settings.meshing.limits, asGiven); !divided.ok())
+  {
+    return divided;
+  }
+  return mesh(settings, asGiven, worker, context, result, report);
+}
 } // namespace
 
 Outcome refineAndMesh(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
@@ -119,17 +143,32 @@ Outcome refineAndMesh(const MesherSettings& settings, const Domain& domain, cons
   }
   const bool isChanged = result.triangles.swaps + result.triangles.splits > 0;
   const Outcome outcome = mesh(settings, improved, worker, context, result, report);
-  if (outcome.ok() || outcome.kind == Outcome::Kind::Cancelled || !isChanged)
+  if (outcome.kind == Outcome::Kind::Cancelled || !isChanged)
   {
     return outcome;
   }
-  report.remark("TetGen does not mesh the mended surface triangles: they are kept as they were given.");
-  result.triangles = {};
-  Domain asGiven = domain;
-  if (Outcome divided = divideLongEdges(settings.meshing.limits, asGiven); !divided.ok())
+  if (!outcome.ok())
   {
-    return divided;
+    report.remark("TetGen does not mesh the mended surface triangles: they are kept as they were given.");
+    return meshAsGiven(settings, domain, worker, context, result, report);
   }
-  return mesh(settings, asGiven, worker, context, result, report);
+  if (!hasFlatTetrahedra(result.mesh))
+  {
+    return outcome;
+  }
+  DomainMesh unmended;
+  MesherReport silent{ [](const std::string&) {}, {}, {} };
+  const Outcome second = meshAsGiven(settings, domain, worker, context, unmended, silent);
+  if (second.kind == Outcome::Kind::Cancelled)
+  {
+    return second;
+  }
+  if (second.ok() && !hasFlatTetrahedra(unmended.mesh))
+  {
+    report.remark(
+      "The mended surface triangles led to tetrahedra without thickness: they are kept as they were given.");
+    result = std::move(unmended);
+  }
+  return outcome;
 }
 } // namespace ransmesh
