@@ -109,14 +109,16 @@ Outcome mesh(const MesherSettings& settings, const Domain& domain, const TetGenW
   report.problems = std::move(meshed.problems);
   return outcome;
 }
-// A tetrahedron of which double precision does not tell which way it is turned: readers of the mesh that compute
-// in it would take it for inverted.
+// Below it double precision does not tell which way a tetrahedron is turned.
+constexpr double FlatQuality = 1e-13;
+
+// Whether the mesh has tetrahedra of which double precision does not tell which way they are turned: readers of the mesh that
+// compute in it would take them for inverted.
 bool hasFlatTetrahedra(const MeshData& mesh)
 {
-  constexpr double flat = 1e-13;
   const auto& p = mesh.points;
   return std::any_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
-    [&p](const auto& t) { return quality(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < flat; });
+    [&p](const auto& t) { return quality(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < FlatQuality; });
 }
 
 Outcome meshAsGiven(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
