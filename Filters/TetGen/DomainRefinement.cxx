@@ -109,11 +109,12 @@ Outcome mesh(const MesherSettings& settings, const Domain& domain, const TetGenW
   report.problems = std::move(meshed.problems);
   return outcome;
 }
+
 // Below it double precision does not tell which way a tetrahedron is turned.
 constexpr double FlatQuality = 1e-13;
 
-// Whether the mesh has tetrahedra of which double precision does not tell which way they are turned: readers of the mesh that
-// compute in it would take them for inverted.
+// Whether double precision does not tell of some tetrahedra which way they are turned: programs that compute in it
+// would take them for inverted.
 bool hasFlatTetrahedra(const MeshData& mesh)
 {
   const auto& p = mesh.points;
