@@ -2,9 +2,10 @@
 
 #include "Boundary/SheetAttachment.h"
 #include "Boundary/SurfaceSizes.h"
-#include "Geometry/TetrahedronMeasures.h"
+#include "Improvement/FlatTetrahedra.h"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 #include <utility>
 
@@ -60,22 +61,32 @@ std::string sentenceOf(const FlatTriangleReport& report)
   return text.str();
 }
 
-FlatTriangleReport improveTriangles(const MesherSettings& settings, Domain& domain, MesherReport& report)
+// How the triangles are bettered, from most to least.
+enum class Mending
 {
-  if (!settings.improveTriangles)
+  SwapsAndSplits,
+  Swaps,
+  None
+};
+
+FlatTriangleReport improveTriangles(
+  const MesherSettings& settings, Mending mending, Domain& domain, std::vector<std::string>& remarks)
+{
+  if (mending == Mending::None)
   {
     return {};
   }
-  const FlatTriangleReport improved =
-    mendFlatTriangles(domain.surface, settings.surfaceAngle, frozenPoints(domain));
+  const FlatTriangleReport improved = mendFlatTriangles(
+    domain.surface, settings.surfaceAngle, frozenPoints(domain), mending == Mending::SwapsAndSplits);
   if (improved.isRefused)
   {
-    report.remark("No diagonals of surface triangles were swapped, since the surface would cut itself then; "
-                  "try a smaller MaximumSurfaceAngle.");
+    remarks.emplace_back(
+      "No diagonals of surface triangles were swapped, since the surface would cut itself then; "
+      "try a smaller MaximumSurfaceAngle.");
   }
   if (improved.swaps + improved.splits > 0)
   {
-    report.remark(sentenceOf(improved));
+    remarks.push_back(sentenceOf(improved));
   }
   return improved;
 }
@@ -94,84 +105,97 @@ Outcome divideLongEdges(const SizeLimits& limits, Domain& domain)
   return Outcome::done();
 }
 
-Outcome mesh(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
-  const Context& context, DomainMesh& result, MesherReport& report)
+// Tetrahedra without thickness are swapped away; how many are left. Sheets would have to be cut open for it.
+std::size_t flatTetrahedraLeft(const Domain& domain, MeshData& mesh)
 {
+  const std::size_t count = countFlatTetrahedra(mesh);
+  const bool hasSheets = std::find(domain.isSheet.begin(), domain.isSheet.end(), 1) != domain.isSheet.end();
+  return count == 0 || hasSheets ? count : swapFlatTetrahedra(domain.patches, mesh);
+}
+
+// One way of bettering the triangles, and the mesh that came of it.
+struct Trial
+{
+  Outcome outcome;
+  FlatTriangleReport triangles;
   MeshingResult meshed;
-  Outcome outcome = meshDomain(domain, settings.meshing, worker, context, meshed);
-  for (const std::string& remark : meshed.remarks)
+  std::vector<std::string> remarks;
+  bool hasFlats = false; // tetrahedra without thickness
+};
+
+bool mayTryAgain(const Trial& trial)
+{
+  return trial.hasFlats || (!trial.outcome.ok() && trial.outcome.kind != Outcome::Kind::Cancelled);
+}
+
+Trial tryMending(const MesherSettings& settings, Mending mending, Domain domain, const TetGenWorker& worker,
+  const Context& context)
+{
+  Trial trial;
+  trial.triangles = improveTriangles(settings, mending, domain, trial.remarks);
+  trial.outcome = divideLongEdges(settings.meshing.limits, domain);
+  if (trial.outcome.ok())
+  {
+    trial.outcome = meshDomain(domain, settings.meshing, worker, context, trial.meshed);
+  }
+  trial.hasFlats = trial.outcome.ok() && flatTetrahedraLeft(domain, trial.meshed.mesh) > 0;
+  return trial;
+}
+
+// The next trial, after one that was not good; none where nothing would be different.
+std::optional<Mending> lessThan(Mending mending, const FlatTriangleReport& triangles)
+{
+  if (mending == Mending::None || triangles.swaps + triangles.splits == 0)
+  {
+    return {};
+  }
+  return mending == Mending::SwapsAndSplits && triangles.splits > 0 ? Mending::Swaps : Mending::None;
+}
+
+std::string sentenceAfter(const Trial& failed, Mending next)
+{
+  return std::string(failed.outcome.ok()
+             ? "With the surface triangles mended so, tetrahedra have no thickness"
+             : "TetGen does not mesh the surface triangles mended so") +
+    (next == Mending::Swaps ? ": no edges are split." : ": they are kept as they were given.");
+}
+
+void give(Trial& trial, DomainMesh& result, MesherReport& report)
+{
+  trial.remarks.insert(trial.remarks.end(), trial.meshed.remarks.begin(), trial.meshed.remarks.end());
+  for (const std::string& remark : trial.remarks)
   {
     report.remark(remark);
   }
-  result.mesh = std::move(meshed.mesh);
-  result.switches = std::move(meshed.switches);
-  report.problemSurface = std::move(meshed.problemSurface);
-  report.problems = std::move(meshed.problems);
-  return outcome;
-}
-
-// Below it double precision does not tell which way a tetrahedron is turned.
-constexpr double FlatQuality = 1e-13;
-
-// Whether double precision does not tell of some tetrahedra which way they are turned: programs that compute in it
-// would take them for inverted.
-bool hasFlatTetrahedra(const MeshData& mesh)
-{
-  const auto& p = mesh.points;
-  return std::any_of(mesh.tetrahedra.begin(), mesh.tetrahedra.end(),
-    [&p](const auto& t) { return quality(p[t[0]], p[t[1]], p[t[2]], p[t[3]]) < FlatQuality; });
-}
-
-Outcome meshAsGiven(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
-  const Context& context, DomainMesh& result, MesherReport& report)
-{
-  result.triangles = {};
-  Domain asGiven = domain;
-  if (Outcome divided = divideLongEdges(settings.meshing.limits, asGiven); !divided.ok())
-  {
-    return divided;
-  }
-  return mesh(settings, asGiven, worker, context, result, report);
+  result.triangles = trial.triangles;
+  result.mesh = std::move(trial.meshed.mesh);
+  result.switches = std::move(trial.meshed.switches);
+  report.problemSurface = std::move(trial.meshed.problemSurface);
+  report.problems = std::move(trial.meshed.problems);
 }
 } // namespace
 
 Outcome refineAndMesh(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
   const Context& context, DomainMesh& result, MesherReport& report)
 {
-  Domain improved = domain;
-  result.triangles = improveTriangles(settings, improved, report);
-  if (Outcome outcome = divideLongEdges(settings.meshing.limits, improved); !outcome.ok())
+  Mending mending = settings.improveTriangles ? Mending::SwapsAndSplits : Mending::None;
+  Trial trial = tryMending(settings, mending, domain, worker, context);
+  std::optional<Trial> withFlats; // better than nothing
+  for (auto next = lessThan(mending, trial.triangles); next && mayTryAgain(trial);
+       next = lessThan(mending, trial.triangles))
   {
-    return outcome;
+    std::vector<std::string> remarks = trial.remarks;
+    remarks.push_back(sentenceAfter(trial, *next));
+    if (trial.outcome.ok() && !withFlats)
+    {
+      withFlats = std::move(trial);
+    }
+    mending = *next;
+    trial = tryMending(settings, mending, domain, worker, context);
+    trial.remarks.insert(trial.remarks.begin(), remarks.begin(), remarks.end());
   }
-  const bool isChanged = result.triangles.swaps + result.triangles.splits > 0;
-  const Outcome outcome = mesh(settings, improved, worker, context, result, report);
-  if (outcome.kind == Outcome::Kind::Cancelled || !isChanged)
-  {
-    return outcome;
-  }
-  if (!outcome.ok())
-  {
-    report.remark("TetGen does not mesh the mended surface triangles: they are kept as they were given.");
-    return meshAsGiven(settings, domain, worker, context, result, report);
-  }
-  if (!hasFlatTetrahedra(result.mesh))
-  {
-    return outcome;
-  }
-  DomainMesh unmended;
-  MesherReport silent{ [](const std::string&) {}, {}, {} };
-  const Outcome second = meshAsGiven(settings, domain, worker, context, unmended, silent);
-  if (second.kind == Outcome::Kind::Cancelled)
-  {
-    return second;
-  }
-  if (second.ok() && !hasFlatTetrahedra(unmended.mesh))
-  {
-    report.remark(
-      "The mended surface triangles led to tetrahedra without thickness: they are kept as they were given.");
-    result = std::move(unmended);
-  }
-  return outcome;
+  Trial& given = withFlats && mayTryAgain(trial) ? *withFlats : trial;
+  give(given, result, report);
+  return given.outcome;
 }
 } // namespace ransmesh

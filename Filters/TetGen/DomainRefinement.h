@@ -18,7 +18,7 @@ struct DomainMesh
 
 // Betters very obtuse triangles where that is wanted, halves what is longer than the sizes, and meshes. Where
 // TetGen does not mesh the bettered surface, or makes tetrahedra of it that are too flat to be told from inverted
-// ones, it gets the triangles as they were given.
+// ones, it gets the surface with swaps alone, then the triangles as they were given.
 Outcome refineAndMesh(const MesherSettings& settings, const Domain& domain, const TetGenWorker& worker,
   const Context& context, DomainMesh& result, MesherReport& report);
 } // namespace ransmesh

@@ -3,6 +3,8 @@
 #include "TemporaryFolder.h"
 #include "WorkerProcess.h"
 
+#include "Support/Numbers.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -88,8 +90,7 @@ std::string describe(const ProgramEnd& end, const WorkerLimits& limits)
   std::string text;
   if (end.kind == ProgramEnd::Kind::TimedOut)
   {
-    text = "TetGen was stopped at the time limit of " + std::to_string(static_cast<long>(limits.seconds)) +
-      " s (WorkerTimeLimit)";
+    text = "TetGen was stopped at the time limit of " + textOf(limits.seconds) + " s (WorkerTimeLimit)";
   }
   else if (ranOutOfMemory(end))
   {

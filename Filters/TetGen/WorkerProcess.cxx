@@ -168,14 +168,15 @@ ProgramEnd runProgram(const std::vector<std::string>& command, double timeLimit,
       break;
     }
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
-    if (seconds < asked + AskEvery)
+    const bool isLate = timeLimit > 0 && seconds > timeLimit;
+    if (!isLate && seconds < asked + AskEvery)
     {
       continue;
     }
     asked = seconds;
-    killed = mustStop()                      ? ProgramEnd::Kind::Cancelled
-      : timeLimit > 0 && seconds > timeLimit ? ProgramEnd::Kind::TimedOut
-                                             : ProgramEnd::Kind::Done;
+    killed = mustStop() ? ProgramEnd::Kind::Cancelled
+      : isLate          ? ProgramEnd::Kind::TimedOut
+                        : ProgramEnd::Kind::Done;
     if (killed != ProgramEnd::Kind::Done)
     {
       vtksysProcess_Kill(process.get());

@@ -68,7 +68,7 @@ class Repairs(CommandLineTest):
         limits = ["--far-field", "2", *ISOTROPIC, "-o", self.mesh, "--memory-limit", "40"]
         self.fails(1, "limit of 40 MB", NOSECONE, *limits)
         self.fails(1, "time limit", NOSECONE, "--far-field", "2", "--size", "0.05", *ISOTROPIC, "-o", self.mesh,
-                   "--time-limit", "0.05")
+                   "--time-limit", "1e-6")
 
     def test_wrong_usage(self):
         out = ["-o", self.mesh, *ISOTROPIC]

@@ -122,7 +122,8 @@ std::size_t splitFlatTriangles(SurfaceMesh& surface, const std::vector<char>& ke
   return splits;
 }
 
-FlatTriangleReport mendFlatTriangles(SurfaceMesh& surface, double angle, std::vector<char> keep)
+FlatTriangleReport mendFlatTriangles(
+  SurfaceMesh& surface, double angle, std::vector<char> keep, bool maySplit)
 {
   keep.resize(surface.points.size(), 0);
   SwapReport swapped = swapDiagonals(surface, angle, keep);
@@ -132,7 +133,7 @@ FlatTriangleReport mendFlatTriangles(SurfaceMesh& surface, double angle, std::ve
   report.isRefused = swapped.isRefused;
   report.swaps = swapped.swaps;
   report.largestShift = swapped.largestShift;
-  for (int round = 0; swapped.largestAfter > SplitTriangleAngle && round < MostRounds; ++round)
+  for (int round = 0; maySplit && swapped.largestAfter > SplitTriangleAngle && round < MostRounds; ++round)
   {
     report.splits += splitFlatTriangles(surface, keep);
     keep.resize(surface.points.size(), 0);

@@ -49,6 +49,16 @@ double areaOfPatch(const SurfaceMesh& surface, int patch)
 }
 } // namespace
 
+TEST(FlatTriangles, AreNotSplitWhereThatIsNotWanted)
+{
+  SurfaceMesh surface = bar(0.01);
+  const std::size_t points = surface.points.size();
+  const FlatTriangleReport report = mendFlatTriangles(surface, 10, {}, false);
+  EXPECT_EQ(report.splits, 0u);
+  EXPECT_EQ(report.flatAfter, 1u);
+  EXPECT_EQ(surface.points.size(), points);
+}
+
 TEST(FlatTriangles, AreSplitAtTheFootWhereNoSwapHelps)
 {
   SurfaceMesh surface = bar(0.01);
