@@ -30,6 +30,7 @@ std::vector<SurfaceFinding> findingsOf(SurfaceFault kind, const std::vector<Pair
     partnerOf.emplace(t, s);
   }
   std::vector<SurfaceFinding> findings;
+  findings.reserve(partnerOf.size());
   for (const auto& [triangle, partner] : partnerOf)
   {
     findings.push_back({ kind, triangle, partner });
