@@ -1,5 +1,7 @@
 #include "QualityOutput.h"
 
+#include "TableColumns.h"
+
 #include "Quality/ReportRows.h"
 #include "Support/DataContract.h"
 
@@ -58,15 +60,6 @@ void addCellArray(const char* name, const std::vector<double>& values, Together 
     put(input.triangleCell[i], inner != None ? values[tetOf(inner)] : 0);
   }
   grid->GetCellData()->AddArray(array);
-}
-
-template <class Array>
-Array* addColumn(const char* name, vtkTable* table)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->AddColumn(column);
-  return column;
 }
 } // namespace
 

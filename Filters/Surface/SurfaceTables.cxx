@@ -1,9 +1,10 @@
 #include "SurfaceTables.h"
 
+#include "TableColumns.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -11,15 +12,6 @@ namespace ransmesh
 {
 namespace
 {
-template <class Array>
-Array* addColumn(const char* name, vtkTable* table)
-{
-  vtkNew<Array> column;
-  column->SetName(name);
-  table->AddColumn(column);
-  return column;
-}
-
 // The columns X, Y, Z.
 class Places
 {

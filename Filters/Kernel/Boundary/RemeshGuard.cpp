@@ -11,11 +11,6 @@ namespace
 constexpr double LowAngle = 5;   // degrees; collapses make no smaller one
 constexpr double GoodAngle = 30; // degrees; moves need not make it greater
 
-double smallestAngle(const SurfaceMesh& surface, const Corners& t)
-{
-  return std::min({ angleAt(surface, t, 0), angleAt(surface, t, 1), angleAt(surface, t, 2) });
-}
-
 bool has(const Corners& t, Index v)
 {
   return t[0] == v || t[1] == v || t[2] == v;

@@ -26,11 +26,6 @@ constexpr double LittleLonger = 1.1;
 constexpr double LeastGain = 1e-3; // degrees, of the smallest angle by a swap
 constexpr double NearShare = 0.5;  // of an edge: farther points of the given surface are not what was divided
 
-double smallestAngle(const SurfaceMesh& surface, const Corners& t)
-{
-  return std::min({ angleAt(surface, t, 0), angleAt(surface, t, 1), angleAt(surface, t, 2) });
-}
-
 class Remeshing
 {
 public:

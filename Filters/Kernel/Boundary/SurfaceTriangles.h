@@ -4,6 +4,7 @@
 #include "Boundary/SurfaceMesh.h"
 #include "Geometry/Angles.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ransmesh
@@ -28,6 +29,12 @@ inline double angleAt(const SurfaceMesh& surface, const Corners& t, int i)
 inline double largestAngle(const SurfaceMesh& surface, const Corners& t)
 {
   return std::fmax(angleAt(surface, t, 0), std::fmax(angleAt(surface, t, 1), angleAt(surface, t, 2)));
+}
+
+// 0 to 60 degrees.
+inline double smallestAngle(const SurfaceMesh& surface, const Corners& t)
+{
+  return std::min({ angleAt(surface, t, 0), angleAt(surface, t, 1), angleAt(surface, t, 2) });
 }
 
 // The distance of the corner opposite to the longest side from this side.

@@ -1,6 +1,7 @@
 #include "Mesh/MixedValidation.h"
 
 #include "Geometry/Predicates.h"
+#include "Support/FaultList.h"
 
 #include <algorithm>
 #include <set>
@@ -200,23 +201,17 @@ bool MixedFaults::none() const
 
 std::string MixedFaults::text() const
 {
-  std::string out;
-  const auto say = [&out](std::size_t n, const char* what)
-  {
-    if (n)
-    {
-      out += (out.empty() ? "" : ", ") + std::to_string(n) + " " + what;
-    }
-  };
-  say(indicesOutOfRange, "cells with point numbers out of range");
-  say(pointsNotFinite, "points not finite");
-  say(cellsNotSound, "cells with a corner that is not positive");
-  say(facesAlone, "faces with nothing on their other side");
-  say(facesOfMoreCells, "faces of more than two cells");
-  say(facesTurnedAlike, "faces whose two cells lie on one side");
-  say(polygonsOffTheBoundary, "boundary faces off the boundary");
-  say(polygonsRepeated, "repeated boundary faces");
-  say(polygonsTurnedInward, "boundary faces turned inward");
+  FaultList list;
+  list.add(indicesOutOfRange, "cells with point numbers out of range");
+  list.add(pointsNotFinite, "points not finite");
+  list.add(cellsNotSound, "cells with a corner that is not positive");
+  list.add(facesAlone, "faces with nothing on their other side");
+  list.add(facesOfMoreCells, "faces of more than two cells");
+  list.add(facesTurnedAlike, "faces whose two cells lie on one side");
+  list.add(polygonsOffTheBoundary, "boundary faces off the boundary");
+  list.add(polygonsRepeated, "repeated boundary faces");
+  list.add(polygonsTurnedInward, "boundary faces turned inward");
+  std::string out = list.text();
   if (firstCell != None)
   {
     out += "; first cell " + std::to_string(firstCell);

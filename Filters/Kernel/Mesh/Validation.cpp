@@ -2,6 +2,7 @@
 
 #include "Geometry/CoincidentPoints.h"
 #include "Geometry/Predicates.h"
+#include "Support/FaultList.h"
 
 #include <algorithm>
 
@@ -124,25 +125,19 @@ bool MeshFaults::none() const
 
 std::string MeshFaults::text() const
 {
-  std::string out;
-  const auto say = [&out](std::size_t n, const char* what)
-  {
-    if (n)
-    {
-      out += (out.empty() ? "" : ", ") + std::to_string(n) + " " + what;
-    }
-  };
-  say(indicesOutOfRange, "cells with point numbers out of range");
-  say(pointsNotFinite, "points not finite");
-  say(pointsCoincident, "coincident points");
-  say(pointsUnused, "unused points");
-  say(tetsNotPositive, "tetrahedra not positive");
-  say(facesInMoreThanTwoTets, "faces in more than two tetrahedra");
-  say(facesWithoutTriangle, "boundary faces without a triangle");
-  say(trianglesOffTheBoundary, "triangles off the boundary");
-  say(repeatedTriangles, "repeated triangles");
-  say(trianglesTurnedInward, "boundary triangles turned inward");
-  say(brokenLinks, "broken links between tetrahedra");
+  FaultList list;
+  list.add(indicesOutOfRange, "cells with point numbers out of range");
+  list.add(pointsNotFinite, "points not finite");
+  list.add(pointsCoincident, "coincident points");
+  list.add(pointsUnused, "unused points");
+  list.add(tetsNotPositive, "tetrahedra not positive");
+  list.add(facesInMoreThanTwoTets, "faces in more than two tetrahedra");
+  list.add(facesWithoutTriangle, "boundary faces without a triangle");
+  list.add(trianglesOffTheBoundary, "triangles off the boundary");
+  list.add(repeatedTriangles, "repeated triangles");
+  list.add(trianglesTurnedInward, "boundary triangles turned inward");
+  list.add(brokenLinks, "broken links between tetrahedra");
+  std::string out = list.text();
   const auto place = [&out](Index i, const char* what)
   {
     if (i != None)
