@@ -3,6 +3,7 @@
 #include "ForeignMesh.h"
 
 #include "MeshConversion.h"
+#include "OptionRange.h"
 #include "PatchNaming.h"
 
 #include "Boundary/MeshAdoption.h"
@@ -72,9 +73,10 @@ int vtkMeshAdoption::FillInputPortInformation(int, vtkInformation* info)
 int vtkMeshAdoption::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!(this->FeatureAngle >= 0 && this->FeatureAngle <= 180))
+  if (const auto range = ransmesh::checkRanges({ { "FeatureAngle", this->FeatureAngle, 0, 180 } });
+      !range.ok())
   {
-    vtkErrorMacro("FeatureAngle is " << this->FeatureAngle << "; it must lie between 0 and 180.");
+    vtkErrorMacro(<< range.message << ".");
     return 0;
   }
   std::vector<vtkDataObject*> inputs;

@@ -1,5 +1,6 @@
 #include "vtkSurfaceRemesher.h"
 
+#include "OptionRange.h"
 #include "StageContext.h"
 #include "SurfaceFilterInput.h"
 #include "SurfaceOutput.h"
@@ -80,22 +81,17 @@ int vtkSurfaceRemesher::FillInputPortInformation(int, vtkInformation* info)
 //------------------------------------------------------------------------------
 bool vtkSurfaceRemesher::OptionsAreValid()
 {
-  const auto within = [this](const char* name, double value, double low, double high)
+  constexpr double largest = ransmesh::LargestLength;
+  const ransmesh::Outcome outcome = ransmesh::checkRanges({ { "EdgeLength", this->EdgeLength, 0, largest },
+    { "EdgesPerCircle", this->EdgesPerCircle, 0, 1e4 }, { "EdgesAcrossGap", this->EdgesAcrossGap, 0, 1e3 },
+    { "SmallestEdgeLength", this->SmallestEdgeLength, 0, largest },
+    { "GrowthRate", this->GrowthRate, 1.01, 3 }, { "MaximumDeviation", this->MaximumDeviation, 0, largest },
+    { "FeatureAngle", this->FeatureAngle, 0, 180 } });
+  if (!outcome.ok())
   {
-    if (value >= low && value <= high)
-    {
-      return true;
-    }
-    vtkErrorMacro(<< name << " is " << value << "; it must lie between " << low << " and " << high << ".");
-    return false;
-  };
-  return within("EdgeLength", this->EdgeLength, 0, 1e50) &&
-    within("EdgesPerCircle", this->EdgesPerCircle, 0, 1e4) &&
-    within("EdgesAcrossGap", this->EdgesAcrossGap, 0, 1e3) &&
-    within("SmallestEdgeLength", this->SmallestEdgeLength, 0, 1e50) &&
-    within("GrowthRate", this->GrowthRate, 1.01, 3) &&
-    within("MaximumDeviation", this->MaximumDeviation, 0, 1e50) &&
-    within("FeatureAngle", this->FeatureAngle, 0, 180);
+    vtkErrorMacro(<< outcome.message << ".");
+  }
+  return outcome.ok();
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "WorkerLocation.h"
 
 #include "MeshConversion.h"
+#include "OptionRange.h"
 #include "StageContext.h"
 
 #include "Mesh/Regions.h"
@@ -25,8 +26,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,8 +37,6 @@ struct vtkIsotropicTetMesher::Internals
   std::vector<ransmesh::SizeSphere> Spheres;
   std::vector<ransmesh::SizeLine> Lines;
   std::vector<std::pair<std::string, double>> LengthOfPattern;
-  std::vector<std::pair<std::string, std::string>> TypeOfPattern;
-  std::array<std::optional<ransmesh::SideName>, 6> Sides;
 };
 
 namespace
@@ -86,7 +83,6 @@ std::vector<vtkDataObject*> dataOf(vtkInformationVector* inputs)
 vtkIsotropicTetMesher::vtkIsotropicTetMesher()
   : Lists(new Internals)
 {
-  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -109,35 +105,14 @@ void vtkIsotropicTetMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SmallestSurfaceEdgeLength: " << this->SmallestSurfaceEdgeLength << "\n";
   os << indent << "MaximumSurfaceDeviation: " << this->MaximumSurfaceDeviation << "\n";
   os << indent << "SurfaceSizeArray: " << (this->SurfaceSizeArray ? this->SurfaceSizeArray : "") << "\n";
-  os << indent << "Repair: " << this->Repair << "\n";
-  os << indent << "WeldTolerance: " << this->WeldTolerance << "\n";
-  os << indent << "ShortestEdge: " << this->ShortestEdge << "\n";
-  os << indent << "LargestHole: " << this->LargestHole << "\n";
   os << indent << "ImproveSurfaceTriangles: " << this->ImproveSurfaceTriangles << "\n";
   os << indent << "MaximumSurfaceAngle: " << this->MaximumSurfaceAngle << "\n";
   os << indent << "SurfaceGrowthRate: " << this->SurfaceGrowthRate << "\n";
   os << indent << "MaximumRadiusEdgeRatio: " << this->MaximumRadiusEdgeRatio << "\n";
   os << indent << "MinimumDihedralAngle: " << this->MinimumDihedralAngle << "\n";
-  os << indent << "FarField: " << this->FarField << "\n";
-  os << indent << "FarFieldMargins:";
-  for (const double margin : this->FarFieldMargins)
-  {
-    os << " " << margin;
-  }
-  os << "\n";
-  os << indent << "FarFieldShape: " << this->FarFieldShape << "\n";
-  os << indent << "SymmetryPlane: " << this->SymmetryPlane << "\n";
-  os << indent << "SymmetryPosition: " << this->SymmetryPosition << "\n";
-  os << indent << "WaterlinePlane: " << this->WaterlinePlane << "\n";
-  os << indent << "WaterlinePosition: " << this->WaterlinePosition << "\n";
-  os << indent << "GroundPlane: " << this->GroundPlane << "\n";
-  os << indent << "GroundPosition: " << this->GroundPosition << "\n";
-  os << indent << "PatchFromFeatureAngle: " << this->PatchFromFeatureAngle << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Refinement boxes: " << this->Lists->Boxes.size() << "\n";
   os << indent << "Refinement spheres: " << this->Lists->Spheres.size() << "\n";
   os << indent << "Refinement lines: " << this->Lists->Lines.size() << "\n";
-  os << indent << "Patch types set: " << this->Lists->TypeOfPattern.size() << "\n";
   os << indent << "WorkerExecutable: " << (this->WorkerExecutable ? this->WorkerExecutable : "") << "\n";
   os << indent << "WorkerTimeLimit: " << this->WorkerTimeLimit << "\n";
   os << indent << "WorkerMemoryLimit: " << this->WorkerMemoryLimit << "\n";
@@ -215,73 +190,6 @@ void vtkIsotropicTetMesher::ClearPatchEdgeLengths()
 }
 
 //------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::SetPatchType(const char* pattern, const char* typeName)
-{
-  if (pattern && typeName)
-  {
-    this->Lists->TypeOfPattern.emplace_back(pattern, typeName);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::ClearPatchTypes()
-{
-  this->Lists->TypeOfPattern.clear();
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::SetFarFieldSide(const char* side, const char* name, const char* type)
-{
-  const auto& known = ransmesh::SideNames;
-  const auto found = std::find(known.begin(), known.end(), std::string(side ? side : ""));
-  if (found == known.end() || !name || !*name)
-  {
-    vtkErrorMacro("SetFarFieldSide needs a side (xmin, xmax, ymin, ymax, zmin or zmax) and a name.");
-    return;
-  }
-  this->Lists->Sides[found - known.begin()] = { name, type ? type : "" };
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::ClearFarFieldSides()
-{
-  this->Lists->Sides = {};
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::AddSheetData(vtkDataObject* sheets)
-{
-  this->AddInputDataObject(1, sheets);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::AddSheetConnection(vtkAlgorithmOutput* sheets)
-{
-  this->AddInputConnection(1, sheets);
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::RemoveAllSheets()
-{
-  this->SetInputConnection(1, nullptr);
-}
-
-//------------------------------------------------------------------------------
-int vtkIsotropicTetMesher::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1);
-  return 1;
-}
-
-//------------------------------------------------------------------------------
 int vtkIsotropicTetMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPolyData");
@@ -291,52 +199,35 @@ int vtkIsotropicTetMesher::FillOutputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 bool vtkIsotropicTetMesher::OptionsAreValid()
 {
-  const auto within = [this](const char* name, double value, double low, double high)
+  constexpr double largest = ransmesh::LargestLength;
+  std::vector<ransmesh::OptionRange> ranges = { { "MaximumEdgeLength", this->MaximumEdgeLength, 0, largest },
+    { "SurfaceEdgeLength", this->SurfaceEdgeLength, 0, largest },
+    { "EdgesPerCircle", this->EdgesPerCircle, 0, 1e4 }, { "EdgesAcrossGap", this->EdgesAcrossGap, 0, 1e3 },
+    { "SmallestSurfaceEdgeLength", this->SmallestSurfaceEdgeLength, 0, largest },
+    { "MaximumSurfaceDeviation", this->MaximumSurfaceDeviation, 0, largest },
+    { "MaximumSurfaceAngle", this->MaximumSurfaceAngle, 0, 90 },
+    { "SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3 },
+    { "MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10 },
+    { "MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18 },
+    { "WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9 },
+    { "WorkerMemoryLimit", this->WorkerMemoryLimit, 0, 1e9 } };
+  const auto addSizes = [&](const char* name, const auto& refinements)
   {
-    if (value >= low && value <= high)
+    for (const auto& refinement : refinements)
     {
-      return true;
+      ranges.push_back({ name, refinement.size, 1 / largest, largest });
     }
-    vtkErrorMacro(<< name << " is " << value << "; it must lie between " << low << " and " << high << ".");
-    return false;
   };
-  bool valid = within("MaximumEdgeLength", this->MaximumEdgeLength, 0, 1e50) &&
-    within("SurfaceEdgeLength", this->SurfaceEdgeLength, 0, 1e50) &&
-    within("EdgesPerCircle", this->EdgesPerCircle, 0, 1e4) &&
-    within("EdgesAcrossGap", this->EdgesAcrossGap, 0, 1e3) &&
-    within("SmallestSurfaceEdgeLength", this->SmallestSurfaceEdgeLength, 0, 1e50) &&
-    within("MaximumSurfaceDeviation", this->MaximumSurfaceDeviation, 0, 1e50) &&
-    within("MaximumSurfaceAngle", this->MaximumSurfaceAngle, 0, 90) &&
-    within("SurfaceGrowthRate", this->SurfaceGrowthRate, 1.01, 3) &&
-    within("MaximumRadiusEdgeRatio", this->MaximumRadiusEdgeRatio, 1.1, 10) &&
-    within("MinimumDihedralAngle", this->MinimumDihedralAngle, 0, 18) &&
-    within("FeatureAngle", this->FeatureAngle, 0, 180) &&
-    within("SymmetryPosition", this->SymmetryPosition, -1e50, 1e50) &&
-    within("WaterlinePosition", this->WaterlinePosition, -1e50, 1e50) &&
-    within("GroundPosition", this->GroundPosition, -1e50, 1e50) &&
-    within("WeldTolerance", this->WeldTolerance, -1, 1e50) &&
-    within("ShortestEdge", this->ShortestEdge, -1, 1e50) &&
-    within("LargestHole", this->LargestHole, 0, 1e50) &&
-    within("WorkerTimeLimit", this->WorkerTimeLimit, 0, 1e9) &&
-    within("WorkerMemoryLimit", this->WorkerMemoryLimit, 0, 1e9);
-  for (int i = 0; valid && this->FarField && i < 6; ++i)
+  addSizes("The size of a refinement box", this->Lists->Boxes);
+  addSizes("The size of a refinement sphere", this->Lists->Spheres);
+  addSizes("The size of a refinement line", this->Lists->Lines);
+  ransmesh::Outcome outcome = ransmesh::checkRanges(ranges);
+  outcome = outcome.ok() ? this->CheckDomainOptions() : outcome;
+  if (!outcome.ok())
   {
-    valid = within("FarFieldMargins", this->FarFieldMargins[i], 1e-3, 1e4);
+    vtkErrorMacro(<< outcome.message << ".");
   }
-  constexpr double smallest = 1e-50;
-  for (std::size_t i = 0; valid && i < this->Lists->Boxes.size(); ++i)
-  {
-    valid = within("The size of a refinement box", this->Lists->Boxes[i].size, smallest, 1e50);
-  }
-  for (std::size_t i = 0; valid && i < this->Lists->Spheres.size(); ++i)
-  {
-    valid = within("The size of a refinement sphere", this->Lists->Spheres[i].size, smallest, 1e50);
-  }
-  for (std::size_t i = 0; valid && i < this->Lists->Lines.size(); ++i)
-  {
-    valid = within("The size of a refinement line", this->Lists->Lines[i].size, smallest, 1e50);
-  }
-  return valid;
+  return outcome.ok();
 }
 
 //------------------------------------------------------------------------------
@@ -357,10 +248,7 @@ std::string vtkIsotropicTetMesher::FindWorker()
 ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
 {
   ransmesh::MesherSettings settings;
-  settings.preparation.repair = this->Repair;
-  settings.preparation.repairs = { this->WeldTolerance, this->ShortestEdge, this->LargestHole };
-  settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
-  settings.featureAngle = this->FeatureAngle;
+  this->DescribeDomain(settings);
   ransmesh::RemeshingOptions& remeshing = settings.sizing.general;
   remeshing.length = this->SurfaceEdgeLength;
   remeshing.edgesPerCircle = this->EdgesPerCircle;
@@ -373,8 +261,6 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.sizing.lengthOfPattern = this->Lists->LengthOfPattern;
   settings.improveTriangles = this->ImproveSurfaceTriangles;
   settings.surfaceAngle = this->MaximumSurfaceAngle;
-  this->DescribeDomain(settings);
-  settings.typeOfPattern = this->Lists->TypeOfPattern;
   settings.meshing.limits.maximum = this->MaximumEdgeLength;
   settings.meshing.limits.slope = this->SurfaceGrowthRate - 1;
   settings.meshing.limits.boxes = this->Lists->Boxes;
@@ -383,32 +269,6 @@ ransmesh::MesherSettings vtkIsotropicTetMesher::GetSettings() const
   settings.meshing.radiusEdgeRatio = this->MaximumRadiusEdgeRatio;
   settings.meshing.minimumDihedral = this->MinimumDihedralAngle;
   return settings;
-}
-
-//------------------------------------------------------------------------------
-void vtkIsotropicTetMesher::DescribeDomain(ransmesh::MesherSettings& settings) const
-{
-  if (this->FarField)
-  {
-    ransmesh::FarFieldOptions& farField = settings.farField.emplace();
-    farField.isSphere = this->FarFieldShape == SPHERE;
-    std::copy_n(this->FarFieldMargins, 6, farField.margins.begin());
-    farField.sides = this->Lists->Sides;
-  }
-  using Keep = ransmesh::DomainPlane::Keep;
-  const auto add = [&](int axis, double place, Keep keep, const char* purpose, const ransmesh::Patch& patch)
-  {
-    if (axis != NO_PLANE)
-    {
-      settings.planes.push_back({ purpose, { axis - 1, place, true }, keep, patch });
-    }
-  };
-  add(this->SymmetryPlane, this->SymmetryPosition, Keep::Larger, "symmetry plane",
-    { "symmetry", ransmesh::PatchType::Symmetry });
-  add(this->WaterlinePlane, this->WaterlinePosition, Keep::Below, "waterline",
-    { "waterline", ransmesh::PatchType::Symmetry });
-  add(
-    this->GroundPlane, this->GroundPosition, Keep::Above, "ground", { "ground", ransmesh::PatchType::Wall });
 }
 
 //------------------------------------------------------------------------------
