@@ -5,7 +5,7 @@ import re
 import unittest
 
 import surfaces
-from test_ransmesh import NOSECONE, CommandLineTest
+from command_line import NOSECONE, CommandLineTest
 
 GEOMETRY = os.environ.get("RANSMESHING_GEOMETRY", "")
 ISOTROPIC = ["--isotropic-only"]
