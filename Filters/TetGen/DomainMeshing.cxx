@@ -17,14 +17,16 @@ namespace ransmesh
 namespace
 {
 // The attempts, from the usual to the tolerant. -Y keeps the surface's triangles; without it TetGen splits
-// wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity. -D1:
+// wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity; without it 1e-8,
+// and one sound body needs less, another more. -D1:
 // no points are inserted; the last resort where refining does not end.
 struct Variant
 {
   const char* switches;
   bool refines;
 };
-constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-12D1", false } };
+constexpr Variant Variants[] = { { "Y", true }, { "YT1e-12", true }, { "YT1e-6", true },
+  { "YT1e-12D1", false } };
 
 // What the user is told where every attempt failed: that, and which parts of the surface come so near to each other
 // that TetGen may not tell them apart.

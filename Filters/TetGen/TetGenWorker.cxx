@@ -104,6 +104,12 @@ std::string describe(const ProgramEnd& end, const WorkerLimits& limits)
     return "TetGen refined without end, as badly shaped surface triangles make it: set SurfaceEdgeLength to "
            "remesh the surface";
   }
+  else if (end.status == worker::ExitStalled)
+  {
+    text = "TetGen does not come to an end with the surface, as it happens where facets lie almost in a "
+           "plane: move "
+           "or turn the surface a little, or set SurfaceEdgeLength to remesh it";
+  }
   else if (end.status > worker::ExitTetGen && end.status <= worker::ExitTetGen + 10)
   {
     const int code = end.status - worker::ExitTetGen;

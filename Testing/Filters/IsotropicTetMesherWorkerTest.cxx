@@ -200,13 +200,26 @@ TEST_F(Worker, IsTriedWithAFinerTolerance)
   EXPECT_TRUE(contains(this->Switches(), "YT1e-12"));
 }
 
+TEST_F(Worker, IsTriedWithACoarserTolerance)
+{
+  this->UseScript(this->FailingAtFirst(2));
+  EXPECT_TRUE(contains(this->Warning(), "succeeded with the switches pq"));
+  EXPECT_TRUE(contains(this->Switches(), "YT1e-6"));
+}
+
+TEST_F(Worker, GoingRoundForEverIsToldFromOtherFailures)
+{
+  this->UseScript("exit 6");
+  EXPECT_TRUE(contains(this->Error(), "does not come to an end with the surface"));
+}
+
 TEST_F(Worker, GetsTheSurfaceAsGivenWhereItDoesNotMeshTheMendedOne)
 {
   this->Mesher->SetInputDataObject(obtuseCube());
   this->Mesher->Update();
   EXPECT_GT(this->Count(ransmesh::contract::SurfaceSwaps), 0);
   // Every switch fails on the mended surface.
-  this->UseScript(this->FailingAtFirst(3));
+  this->UseScript(this->FailingAtFirst(4));
   EXPECT_TRUE(contains(this->Warning(), "they are kept as they were given"));
   EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSwaps), 0);
   EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSplits), 0);
@@ -226,7 +239,7 @@ TEST_F(Worker, FailingAlwaysShowsNearSheets)
   this->Mesher->SetInputDataObject(TestSurfaces::Together({ TestSurfaces::Cube(0, 1), moved->GetOutput() }));
   const std::string text = this->Error();
   EXPECT_TRUE(contains(text, "TetGen gave up with error 3"));
-  EXPECT_TRUE(contains(text, "so did 2 attempts"));
+  EXPECT_TRUE(contains(text, "so did 3 attempts"));
   EXPECT_TRUE(contains(text, "nearly touch"));
   EXPECT_GE(vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1))->GetNumberOfCells(), 2);
 }

@@ -18,6 +18,7 @@ inline constexpr int ExitUnreadable = 3;
 inline constexpr int ExitMemory = 4;
 inline constexpr int ExitEndless = 5; // refinement went far beyond the points that the sizes ask for
 inline constexpr int ExitTetGen = 40;
+inline constexpr int ExitStalled = 6; // recovering the surface took longer than it ever does
 // A line of the worker's output that starts so tells how many points the mesh has by now.
 inline constexpr const char* ProgressMark = "ransmesh points ";
 

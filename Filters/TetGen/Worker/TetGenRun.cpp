@@ -2,6 +2,7 @@
 
 #include "SizeField.h"
 #include "SizeLimits.h"
+#include "StallGuard.h"
 
 #include <algorithm>
 #include <array>
@@ -131,7 +132,11 @@ public:
   // among needles, where each point that is tried reaches through much of the mesh.
   void watch()
   {
-    if (++questions_ % 16 != 0) // among needles one answer may take TetGen a second
+    if (++questions_ == 1) // TetGen asks about sizes when the surface is recovered
+    {
+      endRecovery();
+    }
+    if (questions_ % 16 != 0) // among needles one answer may take TetGen a second
     {
       return;
     }
@@ -345,7 +350,9 @@ Result runTetGen(const Request& request)
   tetgenio out;
   setInput(request, in);
   std::string switches = request.switches;
+  watchRecovery(request.points.size() / 3);
   tetrahedralize(switches.data(), &in, &out);
+  endRecovery();
   return resultOf(out);
 }
 } // namespace ransmesh::worker
