@@ -34,11 +34,15 @@ double FrontMoves::worstQuality(const std::vector<Index>& tets) const
   double worst = std::numeric_limits<double>::infinity();
   for (const Index t : tets)
   {
-    const auto& v = mesh_.tet(t).vertex;
-    worst =
-      std::min(worst, quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3])));
+    worst = std::min(worst, qualityOf(t));
   }
   return worst;
+}
+
+double FrontMoves::qualityOf(Index tet) const
+{
+  const auto& v = mesh_.tet(tet).vertex;
+  return quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(v[3]));
 }
 
 double FrontMoves::floorFor(Index column, double leastQuality, double before)
@@ -84,12 +88,26 @@ MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& e
 
 // Stars the ball of the column's top, which stands at its new place already, from the vertex that
 // leaves the best tetrahedra; the cavity grows through faces below the quality wanted. Isotropic points
-// inside vanish.
+// inside vanish. Where no vertex sees the ball, it may see that part of it that the move spoils: most often one
+// tetrahedron between tops, and what lies behind it.
 bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth, bool sidesHold)
+{
+  const std::vector<Index> apexes = apexCandidates(column.vertex);
+  seed_ = ball_;
+  if (starBest(column, apexes, wanted, growth, sidesHold))
+  {
+    return true;
+  }
+  std::erase_if(seed_, [&](Index t) { return qualityOf(t) > wanted; });
+  return starBest(column, apexes, wanted, growth, sidesHold);
+}
+
+bool FrontMoves::starBest(
+  const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth, bool sidesHold)
 {
   Cavity best;
   Index bestApex = None;
-  for (const Index apex : apexCandidates(column.vertex))
+  for (const Index apex : apexes)
   {
     double worst = 0;
     if (!buildCavity(column, apex, wanted, growth, worst) || !(worst > wanted) ||
@@ -133,9 +151,9 @@ bool FrontMoves::isStarred(const Column& column, Index apex, HalfFace beyond) co
 bool FrontMoves::buildCavity(
   const Column& column, Index apex, double wanted, std::size_t growth, double& worst)
 {
-  cavity_.tets = ball_;
+  cavity_.tets = seed_;
   inCavity_.clear();
-  for (const Index t : ball_)
+  for (const Index t : seed_)
   {
     inCavity_.set(t);
   }

@@ -41,8 +41,11 @@ public:
 
 private:
   double worstQuality(const std::vector<Index>& tets) const;
+  double qualityOf(Index tet) const;
   double floorFor(Index column, double leastQuality, double before);
   bool restar(const Column& column, double wanted, std::size_t growth, bool sidesHold);
+  bool starBest(const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth,
+    bool sidesHold);
   bool buildCavity(const Column& column, Index apex, double wanted, std::size_t growth, double& worst);
   bool mayStar(const Column& column, Index apex, bool sidesHold);
   bool mayLose(const Column& column, Index apex) const;
@@ -59,6 +62,7 @@ private:
   LocalMarks inCavity_;
   std::vector<double> firstQuality_; // around each top before its first single move; < 0: not known yet
   std::vector<Index> ball_;
+  std::vector<Index> seed_; // the tetrahedra that a cavity begins with
   Cavity cavity_;
 };
 } // namespace ransmesh
