@@ -22,12 +22,12 @@ GROWTH = 1.2
 STATION = 0.970084071
 REFERENCE = 2.729090163e-3  # FUN3D, incompressible, finest grid
 
-# Name: edge length, first height, number of layers, iterations.
+# Name: edge length, first height, number of layers, iterations (a multiple of the window).
 CASES = {
-    "prisms, coarse": (0.05, 5e-6, 48, 800),
-    "prisms, fine": (0.03, 2e-6, 52, 1000),
-    "prisms and tetrahedra, coarse": (0.05, 5e-6, 40, 800),
-    "prisms and tetrahedra, fine": (0.03, 2e-6, 45, 1000),
+    "prisms, coarse": (0.05, 5e-6, 48, 600),
+    "prisms, fine": (0.03, 2e-6, 52, 600),
+    "prisms and tetrahedra, coarse": (0.05, 5e-6, 40, 600),
+    "prisms and tetrahedra, fine": (0.03, 2e-6, 45, 600),
 }
 WINDOW = 200  # iterations over which the skin friction must not drift
 

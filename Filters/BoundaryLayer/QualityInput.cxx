@@ -2,6 +2,7 @@
 
 #include "MeshConversion.h"
 #include "MixedConversion.h"
+#include "RegionArrays.h"
 
 #include "Mesh/MixedValidation.h"
 #include "Support/DataContract.h"
@@ -24,6 +25,19 @@ void readLayerIds(vtkUnstructuredGrid* grid, QualityInput& input)
   for (const Index cell : input.tetCell)
   {
     input.layerIds.push_back(static_cast<int>(array->GetTuple1(cell)));
+  }
+}
+
+void readRegionsOf(vtkUnstructuredGrid* grid, QualityInput& input)
+{
+  input.regions = readRegions(grid, input.tetCell);
+  for (const int number : input.regions)
+  {
+    const auto [name, isNew] = input.regionNames.try_emplace(number);
+    if (isNew)
+    {
+      name->second = regionName(grid->GetFieldData(), number, input.patches[0].name);
+    }
   }
 }
 
@@ -91,6 +105,7 @@ Outcome readQualityInput(vtkUnstructuredGrid* grid, QualityInput& input)
   if (outcome.ok())
   {
     readLayerIds(grid, input);
+    readRegionsOf(grid, input);
     if (input.prisms)
     {
       input.prisms->shareOfLayers = shareInWedges(grid, input);

@@ -7,7 +7,9 @@
 #include "Quality/QualityReport.h"
 #include "Support/Outcome.h"
 
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -18,7 +20,9 @@ struct QualityInput
 {
   MeshData mesh;
   PatchTable patches;
-  std::vector<int> layerIds;          // of each tetrahedron; empty if the grid has none
+  std::vector<int> layerIds; // of each tetrahedron; empty if the grid has none
+  std::vector<int> regions;  // likewise
+  std::map<int, std::string> regionNames;
   std::vector<Index> tetCell;         // the grid's cell that each tetrahedron is, or is cut from
   std::vector<Index> triangleCell;    // the same of each triangle
   std::optional<PrismSummary> prisms; // of a mesh with prisms

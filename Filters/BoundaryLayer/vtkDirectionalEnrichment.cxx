@@ -3,10 +3,12 @@
 #include "EnrichmentOutput.h"
 #include "MeshConversion.h"
 #include "PatchFieldData.h"
+#include "RegionArrays.h"
 #include "StageContext.h"
 
 #include "Insertion/EnrichedSheets.h"
 #include "Layers/LayerPlanning.h"
+#include "Mesh/RegionMemory.h"
 #include "Mesh/Validation.h"
 
 #include "vtkFieldData.h"
@@ -46,6 +48,8 @@ int vtkDirectionalEnrichment::RequestData(
   options.maximumSurfaceAngle = this->MaximumSurfaceAngle;
 
   ransmesh::Outcome outcome = ransmesh::readMesh(input, mesh, patches);
+  const std::vector<int> regions = outcome.ok() ? ransmesh::readRegions(input) : std::vector<int>();
+  const ransmesh::RegionMemory memory(mesh, regions);
   if (outcome.ok())
   {
     outcome = this->PlanLayers(mesh, patches, input->GetFieldData(), plan);
@@ -77,6 +81,7 @@ int vtkDirectionalEnrichment::RequestData(
     return this->Refuse(outcome);
   }
   ransmesh::writeEnrichedMesh(enriched, patches, input->GetPointData(), output);
+  this->CarryRegions(regions, memory.recall(enriched.mesh, enriched.origin), output);
   output->GetFieldData()->PassData(input->GetFieldData());
   ransmesh::writePatches(patches, output->GetFieldData());
   ransmesh::writePlan(plan, output->GetFieldData());

@@ -96,7 +96,8 @@ int vtkMeshQualityReport::RequestData(
   }
   const ransmesh::LayerPlan plan = ransmesh::readPlan(input->GetFieldData());
   const ransmesh::ReportSubject subject{ read.mesh, read.patches, plan,
-    read.layerIds.empty() ? nullptr : &read.layerIds, read.prisms ? &*read.prisms : nullptr };
+    read.layerIds.empty() ? nullptr : &read.layerIds, read.prisms ? &*read.prisms : nullptr,
+    read.regions.empty() ? nullptr : &read.regions, read.regionNames };
   ransmesh::ReportOptions options;
   options.columns.tolerance = this->SpacingTolerance;
   options.columns.cone = this->ColumnCone;

@@ -3,6 +3,7 @@
 #include "Layers/FlowConditions.h"
 #include "Layers/LayerPlanning.h"
 #include "MeshConversion.h"
+#include "RegionArrays.h"
 #include "WallSelection.h"
 
 #include "vtkDataArraySelection.h"
@@ -269,6 +270,16 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& me
     isRecorded ? this->AdaptRecorded(patches, plan) : ransmesh::planLayers(mesh, patches, request, plan);
   this->Rules->Walls.offer(patches, walls);
   return outcome;
+}
+
+void vtkRANSLayerAlgorithm::CarryRegions(
+  const std::vector<int>& before, const std::vector<int>& now, vtkUnstructuredGrid* output)
+{
+  ransmesh::writeRegions(now, output);
+  if (const std::string lost = ransmesh::lostRegions(before, now); !lost.empty())
+  {
+    vtkWarningMacro(<< lost);
+  }
 }
 
 int vtkRANSLayerAlgorithm::Refuse(const ransmesh::Outcome& outcome)

@@ -19,6 +19,7 @@
 
 class vtkDataArraySelection;
 class vtkFieldData;
+class vtkUnstructuredGrid;
 
 namespace ransmesh
 {
@@ -262,6 +263,11 @@ protected:
    * error event; or 1, silently, when the user stopped it.
    */
   int Refuse(const ransmesh::Outcome& outcome);
+
+  /**
+   * Gives the output the regions that its tetrahedra are in now. Warns of regions that are no more.
+   */
+  void CarryRegions(const std::vector<int>& before, const std::vector<int>& now, vtkUnstructuredGrid* output);
 
   double FirstHeight;
   double Velocity;

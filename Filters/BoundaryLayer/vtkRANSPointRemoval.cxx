@@ -2,11 +2,13 @@
 
 #include "MeshConversion.h"
 #include "PatchFieldData.h"
+#include "RegionArrays.h"
 #include "StageContext.h"
 
 #include "Boundary/Sheets.h"
 #include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
+#include "Mesh/RegionMemory.h"
 #include "Mesh/Validation.h"
 #include "Removal/PointRemoval.h"
 #include "Support/DataContract.h"
@@ -41,18 +43,28 @@ ransmesh::Outcome takeMesh(const ransmesh::TetMesh& mesh, const ransmesh::Opened
   return outcome;
 }
 
-// The point data of the points that remain; newNumber gives each vertex's new number, or None.
-void keepPointData(vtkPointData* from, const ransmesh::OpenedSheets& sheets,
-  const std::vector<ransmesh::Index>& newNumber, vtkPointData* to)
+// Of each point that remains, the input's.
+std::vector<ransmesh::Index> originsOf(
+  const std::vector<ransmesh::Index>& newNumber, const ransmesh::OpenedSheets& sheets, std::size_t points)
 {
-  to->CopyFieldOff(ransmesh::contract::ColumnId); // columns of an earlier enrichment may be gone
-  to->CopyAllocate(from);
+  std::vector<ransmesh::Index> origin(points, ransmesh::None);
   for (std::size_t i = 0; i < newNumber.size(); ++i)
   {
     if (newNumber[i] != ransmesh::None)
     {
-      to->CopyData(from, sheets.originOf(static_cast<ransmesh::Index>(i)), newNumber[i]);
+      origin[newNumber[i]] = sheets.originOf(static_cast<ransmesh::Index>(i));
     }
+  }
+  return origin;
+}
+
+void keepPointData(vtkPointData* from, const std::vector<ransmesh::Index>& origin, vtkPointData* to)
+{
+  to->CopyFieldOff(ransmesh::contract::ColumnId); // columns of an earlier enrichment may be gone
+  to->CopyAllocate(from);
+  for (std::size_t i = 0; i < origin.size(); ++i)
+  {
+    to->CopyData(from, origin[i], static_cast<vtkIdType>(i));
   }
 }
 } // namespace
@@ -74,6 +86,8 @@ int vtkRANSPointRemoval::RequestData(
   const ransmesh::Context context = ransmesh::makeContext(this);
 
   ransmesh::Outcome outcome = ransmesh::readMesh(input, data, patches);
+  const std::vector<int> regions = outcome.ok() ? ransmesh::readRegions(input) : std::vector<int>();
+  const ransmesh::RegionMemory memory(data, regions);
   if (outcome.ok())
   {
     outcome = this->PlanLayers(data, patches, input->GetFieldData(), plan);
@@ -108,7 +122,9 @@ int vtkRANSPointRemoval::RequestData(
     return this->Refuse(outcome);
   }
   ransmesh::writeMesh(data, patches, output);
-  keepPointData(input->GetPointData(), sheets, newNumber, output->GetPointData());
+  const std::vector<ransmesh::Index> origin = originsOf(newNumber, sheets, data.points.size());
+  keepPointData(input->GetPointData(), origin, output->GetPointData());
+  this->CarryRegions(regions, memory.recall(data, origin), output);
   output->GetFieldData()->PassData(input->GetFieldData());
   ransmesh::writePatches(patches, output->GetFieldData());
   ransmesh::writePlan(plan, output->GetFieldData());

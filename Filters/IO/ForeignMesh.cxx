@@ -3,6 +3,7 @@
 #include "PatchFieldData.h"
 #include "PatchNaming.h"
 #include "PatchNumbering.h"
+#include "RegionArrays.h"
 
 #include "Support/DataContract.h"
 
@@ -18,6 +19,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <optional>
@@ -87,8 +89,9 @@ std::optional<int> cornersOf(int type)
 class Reader
 {
 public:
-  Reader(MeshData& mesh, PatchTable& patches, std::vector<std::string>& remarks)
+  Reader(MeshData& mesh, NamedRegions& regions, PatchTable& patches, std::vector<std::string>& remarks)
     : mesh_(mesh)
+    , regions_(regions)
     , numbering_(patches)
     , remarks_(remarks)
   {
@@ -108,6 +111,7 @@ public:
       mesh_.points.push_back({ x[0], x[1], x[2] });
     }
     const std::vector<int> patch = patchesOf(part);
+    const auto region = numbersIn(part.data, contract::RegionId);
     vtkNew<vtkIdList> v;
     for (vtkIdType c = 0; c < part.data->GetNumberOfCells(); ++c)
     {
@@ -122,6 +126,7 @@ public:
       if (*corners == 4)
       {
         mesh_.tetrahedra.push_back({ at(0), at(1), at(2), at(3) });
+        enterRegion(region ? (*region)[c] : 0, part.data->GetFieldData());
       }
       else if (*corners == 3)
       {
@@ -135,6 +140,10 @@ public:
   void finish()
   {
     numbering_.nameGaps();
+    if (regions_.name.contains(0)) // tetrahedra without one
+    {
+      regions_ = {};
+    }
     if (isCurved_)
     {
       remarks_.emplace_back("cells of second order are taken by their corners");
@@ -142,6 +151,16 @@ public:
   }
 
 private:
+  void enterRegion(int number, vtkFieldData* fieldData)
+  {
+    regions_.of.push_back(std::max(number, 0));
+    const auto [name, isNew] = regions_.name.try_emplace(regions_.of.back());
+    if (isNew)
+    {
+      name->second = regionName(fieldData, number, "region");
+    }
+  }
+
   static Outcome refuse(vtkDataSet* data, vtkIdType cell)
   {
     const int type = data->GetCellType(cell);
@@ -199,16 +218,17 @@ private:
   }
 
   MeshData& mesh_;
+  NamedRegions& regions_;
   PatchNumbering numbering_;
   std::vector<std::string>& remarks_;
   bool isCurved_ = false;
 };
 } // namespace
 
-Outcome readForeignMesh(const std::vector<vtkDataObject*>& inputs, MeshData& mesh, PatchTable& patches,
-  std::vector<std::string>& remarks)
+Outcome readForeignMesh(const std::vector<vtkDataObject*>& inputs, MeshData& mesh, NamedRegions& regions,
+  PatchTable& patches, std::vector<std::string>& remarks)
 {
-  Reader reader(mesh, patches, remarks);
+  Reader reader(mesh, regions, patches, remarks);
   for (const Part& part : partsOf(inputs))
   {
     if (Outcome outcome = reader.read(part); !outcome.ok())

@@ -1,6 +1,7 @@
 #include "MeshView.h"
 
 #include "PatchFieldData.h"
+#include "RegionArrays.h"
 
 #include "Support/DataContract.h"
 
@@ -43,18 +44,18 @@ double tripleProduct(const Point& a, const Point& b, const Point& c)
     (a[0] * b[1] - a[1] * b[0]) * c[2];
 }
 
-// The patch numbers of cells, whatever the array's type.
-class PatchNumbers
+// Numbers of cells, whatever the array's type.
+class CellNumbers
 {
 public:
-  explicit PatchNumbers(vtkUnstructuredGrid* grid)
-    : array_(grid->GetCellData()->GetArray(contract::PatchId))
+  CellNumbers(vtkUnstructuredGrid* grid, const char* name)
+    : array_(grid->GetCellData()->GetArray(name))
     , ints_(vtkIntArray::SafeDownCast(array_))
   {
   }
 
   bool present() const { return array_ && array_->GetNumberOfComponents() == 1; }
-  // 0 for what is no patch number.
+  // 0 for what is no number of a patch or region.
   int at(vtkIdType cell) const
   {
     if (ints_)
@@ -94,7 +95,8 @@ Outcome MeshView::make(vtkUnstructuredGrid* grid, MeshView& view)
   }
   for (const auto& step : { +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readArrays(g); },
          +[](MeshView&v, vtkUnstructuredGrid*) { return v.countCells(); },
-         +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readPatches(g); } })
+         +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readPatches(g); },
+         +[](MeshView&v, vtkUnstructuredGrid*g) { return v.readRegions(g); } })
   {
     if (Outcome outcome = step(view, grid); !outcome.ok())
     {
@@ -252,7 +254,7 @@ Outcome MeshView::countCells()
 
 Outcome MeshView::readPatches(vtkUnstructuredGrid* grid)
 {
-  const PatchNumbers numbers(grid);
+  const CellNumbers numbers(grid, contract::PatchId);
   if (faceIds_.empty() || !numbers.present())
   {
     return Outcome::badInput("the mesh has no boundary faces with a cell array PatchId (1 and more on the "
@@ -292,6 +294,42 @@ Outcome MeshView::readPatches(vtkUnstructuredGrid* grid)
   return Outcome::done();
 }
 
+Outcome MeshView::readRegions(vtkUnstructuredGrid* grid)
+{
+  const CellNumbers numbers(grid, contract::RegionId);
+  std::map<int, Region> found;
+  for (vtkIdType i = 0; numbers.present() && i < cellCount_; ++i)
+  {
+    ++found[numbers.at(gridCell(i))].cells[static_cast<int>(kindOfCell(i))];
+  }
+  if (found.size() > std::numeric_limits<std::uint16_t>::max())
+  {
+    return Outcome::badInput("the mesh has " + std::to_string(found.size()) +
+      " regions (cell array RegionId), more than can be written: leave the array out");
+  }
+  if (found.size() < 2 || found.contains(0)) // 0: not all cells are of a region
+  {
+    const std::array<vtkIdType, 4> counts = { kindCounts_[0], kindCounts_[1], kindCounts_[2],
+      kindCounts_[3] };
+    regions_ = { { 1, fluidName_, counts } };
+    return Outcome::done();
+  }
+  std::map<int, std::uint16_t> placeOf;
+  for (auto& [id, region] : found)
+  {
+    region.id = id;
+    region.name = regionName(grid->GetFieldData(), id, fluidName_);
+    placeOf[id] = static_cast<std::uint16_t>(regions_.size());
+    regions_.push_back(std::move(region));
+  }
+  cellRegions_.reserve(cellCount_);
+  for (vtkIdType i = 0; i < cellCount_; ++i)
+  {
+    cellRegions_.push_back(placeOf[numbers.at(gridCell(i))]);
+  }
+  return Outcome::done();
+}
+
 // No patch is a sheet in one part and outer boundary in another: one face of each tells.
 void MeshView::findSheets()
 {
@@ -301,7 +339,7 @@ void MeshView::findSheets()
     const Corners probe = face(patch.first);
     std::for_each(probe.begin(), probe.end(), [&probed](vtkIdType p) { probed[p] = true; });
   }
-  std::vector<int> cellsAt(patches_.size(), 0);
+  std::vector<std::vector<std::size_t>> regionsAt(patches_.size()); // of the cells at each probe
   for (vtkIdType i = 0; i < cellCount_; ++i)
   {
     const Corners cell = unturnedCell(i);
@@ -314,22 +352,26 @@ void MeshView::findSheets()
       const Corners probe = face(patches_[p].first);
       const bool held = std::all_of(probe.begin(), probe.end(),
         [&cell](vtkIdType v) { return std::find(cell.begin(), cell.end(), v) != cell.end(); });
-      cellsAt[p] += held;
+      if (held)
+      {
+        regionsAt[p].push_back(regionOf(i));
+      }
     }
   }
   for (std::size_t p = 0; p < patches_.size(); ++p)
   {
-    patches_[p].inside = cellsAt[p] > 1;
+    patches_[p].inside = regionsAt[p].size() > 1;
+    patches_[p].divides = patches_[p].inside && regionsAt[p][0] != regionsAt[p][1];
   }
 }
 
-void MeshView::leaveOutSheets()
+void MeshView::leaveOutSheets(bool dividingOnesToo)
 {
   std::vector<vtkIdType> kept;
   std::vector<BoundaryPatch> outer;
   for (BoundaryPatch patch : patches_)
   {
-    if (!patch.inside)
+    if (!patch.inside || (patch.divides && !dividingOnesToo))
     {
       const auto from = faceIds_.begin() + patch.first;
       patch.first = static_cast<vtkIdType>(kept.size());

@@ -9,6 +9,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,13 +44,24 @@ struct Corners
   vtkIdType operator[](int i) const { return points[i]; }
 };
 
+// A part of the volume with a number of its own.
+struct Region
+{
+  int id = 1;
+  std::string name;
+  std::array<vtkIdType, 4> cells{}; // of each of VolumeKinds
+
+  vtkIdType count() const { return cells[0] + cells[1] + cells[2] + cells[3]; }
+};
+
 // A patch that has faces. Its faces are the view's faces first to first + count - 1.
 struct BoundaryPatch
 {
   int id = 0;
   std::string name;
   PatchType type = PatchType::Patch;
-  bool inside = false; // a sheet: cells on both sides
+  bool inside = false;  // a sheet: cells on both sides
+  bool divides = false; // of a sheet: these cells are of two regions
   vtkIdType first = 0;
   vtkIdType triangles = 0;
   vtkIdType quadrilaterals = 0;
@@ -74,7 +86,7 @@ public:
   Corners cell(vtkIdType i) const { return turned(unturnedCell(i)); }
   // As it stands in the grid: where only its points matter.
   Corners unturnedCell(vtkIdType i) const { return corners(gridCell(i)); }
-  // Calls act(Corners) for each volume cell of a kind, in the grid's order.
+  // Calls act(Corners, region) for each volume cell of a kind, in the grid's order.
   template <class Act>
   void forEachCell(CellKind kind, Act act) const
   {
@@ -82,14 +94,19 @@ public:
     {
       if (kindOfCell(i) == kind)
       {
-        act(cell(i));
+        act(cell(i), regionOf(i));
       }
     }
   }
   CellKind kindOfCell(vtkIdType i) const { return kinds_[types_[gridCell(i)]]; }
 
-  // Forgets the patches inside the mesh.
-  void leaveOutSheets();
+  // By number; one if the grid tells of none.
+  const std::vector<Region>& regions() const { return regions_; }
+  // The region of a volume cell, by its place in regions().
+  std::size_t regionOf(vtkIdType i) const { return cellRegions_.empty() ? 0 : cellRegions_[i]; }
+
+  // Forgets the patches inside the mesh, or those alone that do not divide regions.
+  void leaveOutSheets(bool dividingOnesToo);
   // By patch number; sheets among them.
   const std::vector<BoundaryPatch>& patches() const { return patches_; }
   vtkIdType numberOfFaces() const { return static_cast<vtkIdType>(faceIds_.size()); }
@@ -97,8 +114,6 @@ public:
   // The grid's numbers of a volume cell and of a boundary face.
   vtkIdType gridCell(vtkIdType i) const { return cellIds_.empty() ? i : cellIds_[i]; }
   vtkIdType gridFace(vtkIdType i) const { return faceIds_[i]; }
-  // The name of what fills the volume.
-  const std::string& fluidName() const { return fluidName_; }
 
 private:
   Corners corners(vtkIdType id) const;
@@ -107,6 +122,7 @@ private:
   Outcome countCells();
   Outcome checkCell(vtkIdType id) const;
   Outcome readPatches(vtkUnstructuredGrid* grid);
+  Outcome readRegions(vtkUnstructuredGrid* grid);
   void findSheets();
 
   vtkPoints* points_ = nullptr;
@@ -124,6 +140,8 @@ private:
   std::vector<vtkIdType> faceIds_; // sorted by patch
   std::vector<BoundaryPatch> patches_;
   std::string fluidName_;
+  std::vector<Region> regions_;
+  std::vector<std::uint16_t> cellRegions_; // empty where there is one
 
   static const std::array<CellKind, 256> kinds_;
 };

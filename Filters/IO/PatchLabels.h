@@ -14,6 +14,9 @@ namespace ransmesh
 // become underscores, a name longer than `longest` is cut, and a name that is there already gets a number.
 std::vector<std::string> patchLabels(
   const std::vector<BoundaryPatch>& patches, std::string_view allowed, std::size_t longest = 1000);
+// The same of the regions, which differ from the labels that are taken, too.
+std::vector<std::string> regionLabels(const std::vector<Region>& regions, std::string_view allowed,
+  std::size_t longest = 1000, const std::vector<std::string>& taken = {});
 } // namespace ransmesh
 
 #endif

@@ -22,6 +22,7 @@ namespace
 using namespace ransmesh;
 
 constexpr std::size_t LongestName = 32;
+constexpr std::string_view Allowed = " _-.+:()";
 constexpr vtkIdType Block = 1 << 16; // points or elements that are passed on at once
 
 constexpr std::array<CGNS_ENUMT(ElementType_t), 6> ElementTypes = { CGNS_ENUMV(TETRA_4), CGNS_ENUMV(PYRA_5),
@@ -61,7 +62,8 @@ class CGNSFile
 public:
   CGNSFile(const MeshView& mesh, const std::string& path)
     : mesh_(mesh)
-    , labels_(patchLabels(mesh.patches(), " _-.+:()", LongestName))
+    , labels_(patchLabels(mesh.patches(), Allowed, LongestName))
+    , regionLabels_(regionLabels(mesh.regions(), Allowed, LongestName, labels_))
   {
     check(cg_set_file_type(CG_FILE_HDF5));
     check(cg_open(path.c_str(), CG_MODE_WRITE, &file_));
@@ -83,9 +85,9 @@ public:
     const cgsize_t sizes[3] = { number(mesh_.numberOfPoints()), number(mesh_.numberOfCells()), 0 };
     check(cg_zone_write(file_, base_, "Zone", sizes, CGNS_ENUMV(Unstructured), &zone_));
     writeCoordinates();
-    for (const CellKind kind : VolumeKinds)
+    for (std::size_t r = 0; r < mesh_.regions().size(); ++r)
     {
-      writeCells(kind);
+      writeRegion(r);
     }
     for (std::size_t p = 0; p < labels_.size(); ++p)
     {
@@ -141,9 +143,39 @@ private:
     }
   }
 
-  void writeCells(CellKind kind)
+  // Sections of its own for each region. Where there are several, each is a family and a ZoneSubRegion_t of that
+  // family, by the range of its elements.
+  void writeRegion(std::size_t region)
   {
-    const vtkIdType count = mesh_.numberOfCells(kind);
+    const cgsize_t first = elements_ + 1;
+    for (const CellKind kind : VolumeKinds)
+    {
+      writeCells(kind, region);
+    }
+    if (mesh_.regions().size() == 1)
+    {
+      return;
+    }
+    const std::string& label = regionLabels_[region];
+    int number = 0;
+    check(cg_family_write(file_, base_, label.c_str(), &number));
+    const cgsize_t range[2] = { first, elements_ };
+    check(cg_subreg_ptset_write(file_, base_, zone_, label.c_str(), 3, CGNS_ENUMV(CellCenter),
+      CGNS_ENUMV(PointRange), 2, range, &number));
+    check(cg_goto(file_, base_, "Zone_t", zone_, "ZoneSubRegion_t", number, "end"));
+    check(cg_famname_write(label.c_str()));
+  }
+
+  // A section's name is no other's; numbered where there are several regions.
+  std::string sectionName(CellKind kind, std::size_t region) const
+  {
+    const std::string name = SectionNames[static_cast<int>(kind)];
+    return mesh_.regions().size() == 1 ? name : name + " " + std::to_string(mesh_.regions()[region].id);
+  }
+
+  void writeCells(CellKind kind, std::size_t region)
+  {
+    const vtkIdType count = mesh_.regions()[region].cells[static_cast<int>(kind)];
     if (count == 0)
     {
       return;
@@ -151,12 +183,16 @@ private:
     int section = 0;
     cgsize_t next = elements_ + 1;
     elements_ += number(count);
-    check(cg_section_partial_write(file_, base_, zone_, SectionNames[static_cast<int>(kind)],
+    check(cg_section_partial_write(file_, base_, zone_, sectionName(kind, region).c_str(),
       ElementTypes[static_cast<int>(kind)], next, elements_, 0, &section));
     check(cg_npe(ElementTypes[static_cast<int>(kind)], &cornersOf_));
     mesh_.forEachCell(kind,
-      [this, section, &next](const Corners& cell)
+      [this, region, section, &next](const Corners& cell, std::size_t ofCell)
       {
+        if (ofCell != region)
+        {
+          return;
+        }
         addPoints(cell);
         if (points_.size() >= static_cast<std::size_t>(Block))
         {
@@ -218,6 +254,7 @@ private:
 
   const MeshView& mesh_;
   std::vector<std::string> labels_;
+  std::vector<std::string> regionLabels_;
   std::vector<cgsize_t> points_;
   int cornersOf_ = 0; // of the section's elements
   cgsize_t elements_ = 0;
@@ -231,7 +268,8 @@ private:
 long long largestSize(const MeshView& mesh)
 {
   constexpr long long forNodes = 1 << 14; // of the tree that a CGNS file is
-  long long size = (20 + 6 * static_cast<long long>(mesh.patches().size())) * forNodes;
+  long long size =
+    (20 + 6 * static_cast<long long>(mesh.patches().size() + 2 * mesh.regions().size())) * forNodes;
   size += mesh.numberOfPoints() * 3 * static_cast<long long>(sizeof(double));
   constexpr std::array<int, 4> corners = { 4, 5, 6, 8 };
   for (const CellKind kind : VolumeKinds)

@@ -5,7 +5,8 @@
  * One base, one unstructured zone; a section of elements for each kind of cell and for each patch, with the
  * patch's name; for each patch a family, whose boundary condition is of the type that corresponds to the patch's,
  * and a BC_t of the section's range of elements that names the family. A wake is a section with a family, without
- * a BC_t; a wall without thickness is refused.
+ * a BC_t; a wall without thickness is refused. Where there are several regions, each has sections of its own, and a
+ * ZoneSubRegion_t with a family of its name.
  *
  * Input, errors, files: see vtkSolverMeshWriter; formats.md has the format's page.
  */

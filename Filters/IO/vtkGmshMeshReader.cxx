@@ -5,6 +5,7 @@
 #include "PatchFieldData.h"
 #include "PatchNaming.h"
 #include "PatchNumbering.h"
+#include "RegionArrays.h"
 
 #include "Support/DataContract.h"
 
@@ -100,6 +101,34 @@ private:
   bool hasGroups_;
 };
 
+bool isVolume(const GmshElement& element)
+{
+  return cellTypeOf(element.type) != VTK_EMPTY_CELL && !isSurface(element);
+}
+
+// Physical volumes are regions, if all elements are in one.
+bool tellsRegions(const GmshContent& content)
+{
+  return std::none_of(content.elements.begin(), content.elements.end(),
+    [](const GmshElement& e) { return isVolume(e) && e.physical < 1; });
+}
+
+std::vector<std::string> regionNames(const GmshContent& content)
+{
+  constexpr int largest = 100000; // the list has a row for each number
+  std::vector<std::string> names;
+  for (const auto& [what, name] : content.names)
+  {
+    const auto [dimension, number] = what;
+    if (dimension == 3 && number > 0 && number < largest)
+    {
+      names.resize(std::max<std::size_t>(names.size(), number + 1));
+      names[number] = name;
+    }
+  }
+  return names;
+}
+
 void fill(const GmshContent& content, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> points;
@@ -114,6 +143,8 @@ void fill(const GmshContent& content, vtkUnstructuredGrid* grid)
     static_cast<vtkIdType>(content.elements.size()), static_cast<vtkIdType>(4 * content.elements.size()));
   vtkNew<vtkIntArray> patchIds;
   patchIds->SetName(ransmesh::contract::PatchId);
+  vtkNew<vtkIntArray> regionIds;
+  regionIds->SetName(ransmesh::contract::RegionId);
   Patches patches(content);
   for (const GmshElement& element : content.elements)
   {
@@ -124,9 +155,15 @@ void fill(const GmshContent& content, vtkUnstructuredGrid* grid)
         element.points.begin(), element.points.begin() + ransmesh::gmshCorners(element.type));
       grid->InsertNextCell(type, static_cast<vtkIdType>(corners.size()), corners.data());
       patchIds->InsertNextValue(isSurface(element) ? patches.patchOf(element) : 0);
+      regionIds->InsertNextValue(isVolume(element) ? element.physical : 0);
     }
   }
   grid->GetCellData()->AddArray(patchIds);
+  if (tellsRegions(content))
+  {
+    grid->GetCellData()->AddArray(regionIds);
+    ransmesh::writeRegionNames(regionNames(content), grid->GetFieldData());
+  }
   ransmesh::writePatches(patches.table(), grid->GetFieldData());
 }
 } // namespace

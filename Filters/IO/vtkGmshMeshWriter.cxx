@@ -8,7 +8,6 @@
 
 #include "vtkObjectFactory.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -20,6 +19,8 @@ using namespace ransmesh;
 
 constexpr std::array<int, 6> GmshTypes = { 4, 7, 6, 5, 2, 3 }; // by CellKind
 constexpr std::size_t LongestName = 127;
+constexpr std::string_view Allowed =
+  " _-.+:;,/()[]{}<>=*&%$#@!~^|'?"; // all but quotation marks, which end a name
 
 class GmshFile
 {
@@ -28,7 +29,7 @@ public:
     : mesh_(mesh)
     , file_(path)
     , binary_(binary)
-    , labels_(patchLabels(mesh.patches(), " _-.+:;,/()[]{}<>=*&%$#@!~^|'?", LongestName))
+    , labels_(patchLabels(mesh.patches(), Allowed, LongestName))
   {
   }
 
@@ -49,22 +50,19 @@ public:
   }
 
 private:
-  // Quotation marks would end it.
-  std::string fluidLabel() const
-  {
-    std::string name = mesh_.fluidName().substr(0, LongestName);
-    std::replace(name.begin(), name.end(), '"', '_');
-    return name;
-  }
-
   void writeNames()
   {
-    file_.text("$PhysicalNames\n").number(labels_.size() + 1).text("\n");
+    const std::vector<std::string> regions = regionLabels(mesh_.regions(), Allowed, LongestName);
+    file_.text("$PhysicalNames\n").number(labels_.size() + regions.size()).text("\n");
     for (std::size_t p = 0; p < labels_.size(); ++p)
     {
       file_.text("2 ").number(mesh_.patches()[p].id).text(" \"").text(labels_[p]).text("\"\n");
     }
-    file_.text("3 1 \"").text(fluidLabel()).text("\"\n$EndPhysicalNames\n");
+    for (std::size_t r = 0; r < regions.size(); ++r)
+    {
+      file_.text("3 ").number(mesh_.regions()[r].id).text(" \"").text(regions[r]).text("\"\n");
+    }
+    file_.text("$EndPhysicalNames\n");
   }
 
   void writePoints()
@@ -106,7 +104,8 @@ private:
     for (const CellKind kind : VolumeKinds)
     {
       startBlock(kind);
-      mesh_.forEachCell(kind, [this](const Corners& cell) { writeElement(cell, 1); });
+      mesh_.forEachCell(kind,
+        [this](const Corners& cell, std::size_t region) { writeElement(cell, mesh_.regions()[region].id); });
     }
     file_.text(binary_ ? "\n$EndElements\n" : "$EndElements\n");
   }
@@ -180,10 +179,4 @@ Outcome vtkGmshMeshWriter::WriteMesh(const MeshView& mesh)
     return writingFailed(this->FileName, error);
   }
   return path.commit();
-}
-
-void vtkGmshMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileType: " << this->FileType << '\n';
 }

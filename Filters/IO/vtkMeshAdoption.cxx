@@ -5,6 +5,7 @@
 #include "MeshConversion.h"
 #include "OptionRange.h"
 #include "PatchNaming.h"
+#include "RegionArrays.h"
 
 #include "Boundary/MeshAdoption.h"
 
@@ -24,6 +25,25 @@ struct vtkMeshAdoption::Internals
 {
   std::vector<std::pair<std::string, std::string>> TypeOfPattern;
 };
+
+namespace
+{
+// By number; empty names where there are none.
+std::vector<std::string> regionNames(const ransmesh::NamedRegions& regions)
+{
+  constexpr int largest = 100000; // the list has a row for each number
+  std::vector<std::string> names;
+  for (const auto& [number, name] : regions.name)
+  {
+    if (number < largest)
+    {
+      names.resize(number + 1);
+      names[number] = name;
+    }
+  }
+  return names;
+}
+} // namespace
 
 //------------------------------------------------------------------------------
 vtkMeshAdoption::vtkMeshAdoption()
@@ -86,9 +106,10 @@ int vtkMeshAdoption::RequestData(
   }
   ransmesh::MeshData mesh;
   ransmesh::PatchTable patches;
+  ransmesh::NamedRegions regions;
   std::vector<std::string> remarks;
-  ransmesh::Outcome outcome = ransmesh::readForeignMesh(inputs, mesh, patches, remarks);
-  outcome = outcome.ok() ? ransmesh::adoptMesh(mesh, patches, this->FeatureAngle, remarks) : outcome;
+  ransmesh::Outcome outcome = ransmesh::readForeignMesh(inputs, mesh, regions, patches, remarks);
+  outcome = outcome.ok() ? ransmesh::adoptMesh(mesh, regions, patches, this->FeatureAngle, remarks) : outcome;
   outcome = outcome.ok() ? ransmesh::setTypes(this->Lists->TypeOfPattern, patches) : outcome;
   if (!outcome.ok())
   {
@@ -99,6 +120,9 @@ int vtkMeshAdoption::RequestData(
   {
     vtkWarningMacro("Mesh adopted: " << remark << ".");
   }
-  ransmesh::writeMesh(mesh, patches, vtkUnstructuredGrid::GetData(outputVector));
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  ransmesh::writeMesh(mesh, patches, output);
+  ransmesh::writeRegions(regions.of, output);
+  ransmesh::writeRegionNames(regionNames(regions), output->GetFieldData());
   return 1;
 }

@@ -30,23 +30,27 @@ namespace
 {
 using namespace ransmesh;
 
-vtkSmartPointer<vtkUnstructuredGrid> volumeOf(vtkUnstructuredGrid* grid, const MeshView& mesh)
+// A region's cells; all regions share the mesh's points.
+vtkSmartPointer<vtkUnstructuredGrid> volumeOf(
+  vtkUnstructuredGrid* grid, const MeshView& mesh, std::size_t region)
 {
   auto volume = vtkSmartPointer<vtkUnstructuredGrid>::New();
   volume->SetPoints(grid->GetPoints());
   volume->GetPointData()->ShallowCopy(grid->GetPointData());
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfValues(mesh.numberOfCells());
   vtkCellData* data = volume->GetCellData();
   data->CopyAllOn();
-  data->CopyAllocate(grid->GetCellData(), mesh.numberOfCells());
+  data->CopyAllocate(grid->GetCellData(), mesh.regions()[region].count());
   for (vtkIdType i = 0; i < mesh.numberOfCells(); ++i)
   {
-    const Corners cell = mesh.unturnedCell(i);
-    cells->InsertNextCell(cell.count, cell.begin());
-    types->SetValue(i, static_cast<unsigned char>(grid->GetCellType(mesh.gridCell(i))));
-    data->CopyData(grid->GetCellData(), mesh.gridCell(i), i);
+    if (mesh.regionOf(i) == region)
+    {
+      const Corners cell = mesh.unturnedCell(i);
+      const vtkIdType number = cells->InsertNextCell(cell.count, cell.begin());
+      types->InsertNextValue(static_cast<unsigned char>(grid->GetCellType(mesh.gridCell(i))));
+      data->CopyData(grid->GetCellData(), mesh.gridCell(i), number);
+    }
   }
   volume->SetCells(types, cells);
   return volume;
@@ -147,11 +151,11 @@ public:
     output_->SetDataAssembly(assembly_);
   }
 
-  void addVolume(vtkDataSet* block, const std::string& name)
-  {
-    add(block, name, assembly_->AddNode(vtkDataAssembly::MakeValidNodeName(name.c_str()).c_str(), volume_));
-  }
   // label: the name, with characters that an assembly allows, and unlike all others.
+  void addVolume(vtkDataSet* block, const std::string& name, const std::string& label)
+  {
+    add(block, name, assembly_->AddNode(vtkDataAssembly::MakeValidNodeName(label.c_str()).c_str(), volume_));
+  }
   void addPatch(vtkDataSet* block, const BoundaryPatch& patch, const std::string& label)
   {
     const int node = assembly_->AddNode(vtkDataAssembly::MakeValidNodeName(label.c_str()).c_str(), boundary_);
@@ -195,7 +199,11 @@ int vtkMeshToNamedBlocks::RequestData(
     return 0;
   }
   Blocks blocks(output);
-  blocks.addVolume(volumeOf(grid, mesh), mesh.fluidName());
+  const std::vector<std::string> regions = regionLabels(mesh.regions(), "_-.");
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    blocks.addVolume(volumeOf(grid, mesh, r), mesh.regions()[r].name, regions[r]);
+  }
   const std::vector<std::string> labels = patchLabels(mesh.patches(), "_-.");
   PatchPoints numbering(mesh);
   for (std::size_t p = 0; p < labels.size(); ++p)

@@ -2,6 +2,7 @@
 
 #include "NamedBlocks.h"
 #include "PatchFieldData.h"
+#include "RegionArrays.h"
 
 #include "Support/DataContract.h"
 
@@ -95,6 +96,7 @@ public:
         numbers[i] = enter(volume, i, static_cast<int>(v));
       }
       addCells(volume, numbers, 0);
+      regions_.resize(mesh_->GetNumberOfCells(), static_cast<int>(v) + 1);
     }
   }
 
@@ -124,10 +126,35 @@ public:
   {
     patchIds_->SetName(contract::PatchId);
     mesh_->GetCellData()->AddArray(patchIds_);
+    if (blocks_.volumes.size() > 1 && !mesh_->GetCellData()->HasArray(contract::RegionId))
+    {
+      numberRegions();
+    }
     writePatches(patches, mesh_->GetFieldData());
   }
 
 private:
+  // Each block of volume cells is a region; blocks of one name are one.
+  void numberRegions()
+  {
+    std::vector<std::string> names(1);
+    std::vector<int> number;
+    for (const NamedBlock& volume : blocks_.volumes)
+    {
+      const std::string& name = volume.patch.name;
+      const auto known = std::find(names.begin() + 1, names.end(), name);
+      number.push_back(static_cast<int>(known - names.begin()));
+      if (known == names.end())
+      {
+        names.push_back(name);
+      }
+    }
+    std::transform(
+      regions_.begin(), regions_.end(), regions_.begin(), [&number](int v) { return number[v - 1]; });
+    writeRegions(regions_, mesh_);
+    writeRegionNames(names, mesh_->GetFieldData());
+  }
+
   // One volume keeps its points as they are; points of several that coincide are one.
   vtkIdType enter(vtkDataSet* volume, vtkIdType i, int block)
   {
@@ -196,7 +223,8 @@ private:
   vtkNew<vtkIntArray> patchIds_;
   vtkDataSetAttributesFieldList cellArrays_;
   vtkDataSetAttributesFieldList pointArrays_;
-  int block_ = 0; // the one that is being added, of all
+  std::vector<int> regions_; // of the volume cells: their block, from 1
+  int block_ = 0;            // the one that is being added, of all
   std::unordered_map<Coordinates, vtkIdType, HashOfCoordinates> numbers_;
 };
 

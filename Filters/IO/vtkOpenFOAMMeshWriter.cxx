@@ -2,7 +2,7 @@
 #include "vtkOpenFOAMMeshWriter.h"
 
 #include "FoamFaces.h"
-#include "PatchLabels.h"
+#include "FoamZones.h"
 #include "PlaneNormal.h"
 #include "ReplacedPath.h"
 
@@ -30,19 +30,6 @@ const char* typeOf(const BoundaryPatch& patch, const MeshView& mesh)
   return patch.type == PatchType::Wall ? "wall" : "patch";
 }
 
-// OpenFOAM takes what begins with a digit or a sign for a number.
-std::vector<std::string> foamLabels(std::vector<BoundaryPatch> patches)
-{
-  for (BoundaryPatch& patch : patches)
-  {
-    if (std::string_view("0123456789+-.").find(patch.name[0]) != std::string_view::npos)
-    {
-      patch.name.insert(0, "patch_");
-    }
-  }
-  return patchLabels(patches, "_-.+:");
-}
-
 class PolyMesh
 {
 public:
@@ -64,10 +51,8 @@ public:
     }
     note(faces_.error());
     writeBoundary();
-    if (!faces_.zoneFaces().empty())
-    {
-      writeZones();
-    }
+    note(writeFaceZones(mesh_, labels_, faces_.zoneFaces(), folder_ + "faceZones"));
+    note(writeCellZones(mesh_, folder_ + "cellZones"));
     return Outcome::done();
   }
 
@@ -125,40 +110,6 @@ private:
     finish(file);
   }
 
-  // Of the faces of a sheet; in text, which OpenFOAM takes beside binary files.
-  void writeZone(OutputFile& file, const BoundaryPatch& patch, const std::string& label)
-  {
-    std::vector<ZoneFace> faces;
-    std::copy_if(faces_.zoneFaces().begin(), faces_.zoneFaces().end(), std::back_inserter(faces),
-      [&patch](const ZoneFace& f)
-      { return f.viewFace >= patch.first && f.viewFace < patch.first + patch.count(); });
-    file.text(label).text("\n{\n    type            faceZone;\n    faceLabels      List<label> ");
-    LabelList labels(file, false, static_cast<vtkIdType>(faces.size()));
-    std::for_each(faces.begin(), faces.end(), [&labels](const ZoneFace& f) { labels.add(f.label); });
-    file.text(");\n    flipMap         List<bool> ");
-    LabelList flips(file, false, static_cast<vtkIdType>(faces.size()));
-    std::for_each(faces.begin(), faces.end(), [&flips](const ZoneFace& f) { flips.add(f.flipped); });
-    file.text(");\n}\n");
-  }
-
-  void writeZones()
-  {
-    OutputFile file(folder_ + "faceZones");
-    file.text(header("faceZones", "regIOobject", false));
-    const auto& patches = mesh_.patches();
-    const auto sheet = [](const BoundaryPatch& p) { return FaceOrder::sidesOf(p) == 0; };
-    file.number(std::count_if(patches.begin(), patches.end(), sheet)).text("\n(\n");
-    for (std::size_t i = 0; i < patches.size(); ++i)
-    {
-      if (sheet(patches[i]))
-      {
-        writeZone(file, patches[i], labels_[i]);
-      }
-    }
-    file.text(")\n");
-    finish(file);
-  }
-
   const MeshView& mesh_;
   std::string folder_;
   bool binary_;
@@ -198,10 +149,4 @@ Outcome vtkOpenFOAMMeshWriter::WriteMesh(const MeshView& mesh)
   }
   const int error = polyMesh.error() != 0 || !byMarker ? polyMesh.error() : writeMarker(asked.string());
   return error != 0 ? writingFailed(this->FileName, error) : path.commit();
-}
-
-void vtkOpenFOAMMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileType: " << this->FileType << '\n';
 }

@@ -7,41 +7,26 @@
  *
  * Faces are in upper-triangular order. Patches of type wall become wall, symmetry symmetryPlane (symmetry if it is
  * not plane), all others patch, with their type as a group. A wake becomes a face zone; a wall without thickness,
- * a patch with the faces of both its sides.
+ * a patch with the faces of both its sides. Several regions are cell zones.
  *
  * Input, errors, files: see vtkSolverMeshWriter; formats.md has the format's page.
  */
 #ifndef vtkOpenFOAMMeshWriter_h
 #define vtkOpenFOAMMeshWriter_h
 
-#include "vtkSolverMeshWriter.h"
+#include "vtkTextOrBinaryMeshWriter.h"
 
-class RANSMESHINGIO_EXPORT vtkOpenFOAMMeshWriter : public vtkSolverMeshWriter
+class RANSMESHINGIO_EXPORT vtkOpenFOAMMeshWriter : public vtkTextOrBinaryMeshWriter
 {
 public:
   static vtkOpenFOAMMeshWriter* New();
-  vtkTypeMacro(vtkOpenFOAMMeshWriter, vtkSolverMeshWriter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * VTK_BINARY (2, the default) or VTK_ASCII (1). Text holds as many digits as give the same numbers when read.
-   */
-  vtkSetClampMacro(FileType, int, VTK_ASCII, VTK_BINARY);
-  vtkGetMacro(FileType, int);
-  void SetFileTypeToASCII() { this->SetFileType(VTK_ASCII); }
-  void SetFileTypeToBinary() { this->SetFileType(VTK_BINARY); }
-  ///@}
-
-  bool CanHoldSheets() override { return true; }
+  vtkTypeMacro(vtkOpenFOAMMeshWriter, vtkTextOrBinaryMeshWriter);
 
 protected:
   vtkOpenFOAMMeshWriter() = default;
   ~vtkOpenFOAMMeshWriter() override = default;
 
   ransmesh::Outcome WriteMesh(const ransmesh::MeshView& mesh) override;
-
-  int FileType = VTK_BINARY;
 
 private:
   vtkOpenFOAMMeshWriter(const vtkOpenFOAMMeshWriter&) = delete;

@@ -3,8 +3,8 @@
 
 #include "MeshView.h"
 #include "OutputFile.h"
-#include "PatchLabels.h"
 #include "ReplacedPath.h"
+#include "SU2Zones.h"
 
 #include "vtkCellType.h"
 #include "vtkObjectFactory.h"
@@ -49,35 +49,59 @@ Option optionFor(PatchType type)
 class SU2File
 {
 public:
-  SU2File(const MeshView& mesh, const std::string& path)
+  SU2File(const MeshView& mesh, const SU2Zones& zones, const std::string& path)
     : mesh_(mesh)
+    , zones_(zones)
     , file_(path)
-    , patches_(mesh.patches())
-    , labels_(patchLabels(patches_, "_-.+"))
   {
   }
 
   int write()
   {
-    writeTypes();
-    writeCells();
-    writePoints();
-    writeMarkers();
+    const bool several = zones_.size() > 1;
+    if (several)
+    {
+      writeInterfaces();
+      file_.text("NZONE= ").number(zones_.size()).text("\n");
+    }
+    for (std::size_t z = 0; z < zones_.size(); ++z)
+    {
+      const SU2Zone zone = zones_.zone(z);
+      if (several)
+      {
+        file_.text("IZONE= ").number(z + 1).text("\n% Zone ").text(zone.label).text("\n");
+      }
+      writeTypes(zone);
+      writeCells(zone);
+      writePoints(zone);
+      writeMarkers(zone);
+    }
     file_.close();
     return file_.error();
   }
 
 private:
-  void writeTypes()
+  void writeInterfaces()
+  {
+    std::string list;
+    for (const auto& [one, other] : zones_.interfaces())
+    {
+      list += (list.empty() ? "" : ", ") + one + ", " + other;
+    }
+    file_.text("% Several zones: a configuration for each, and one for all with\n");
+    file_.text(list.empty() ? "" : "% MARKER_ZONE_INTERFACE= ( " + list + " )\n");
+  }
+
+  void writeTypes(const SU2Zone& zone)
   {
     file_.text("% Patches and their types; lines for the configuration\n");
     std::map<std::string, std::string> options;
-    for (std::size_t i = 0; i < patches_.size(); ++i)
+    for (const SU2Marker& marker : zone.markers)
     {
-      file_.text("% ").text(labels_[i]).text(": ").text(nameOf(patches_[i].type)).text("\n");
-      const Option option = optionFor(patches_[i].type);
+      file_.text("% ").text(marker.label).text(": ").text(nameOf(marker.type)).text("\n");
+      const Option option = optionFor(marker.type);
       std::string& list = options[option.name];
-      list += (list.empty() ? "" : ", ") + labels_[i] + option.values;
+      list += (list.empty() ? "" : ", ") + marker.label + option.values;
     }
     options.erase("");
     for (const auto& [name, list] : options)
@@ -86,68 +110,80 @@ private:
     }
   }
 
-  void writeElement(const Corners& element)
+  void writeElement(const Corners& element, const SU2Zone& zone, bool turned)
   {
     file_.number(SU2Types[static_cast<int>(element.kind)]);
-    for (const vtkIdType p : element)
+    for (int i = 0; i < element.count; ++i)
     {
-      file_.text(" ").number(p);
+      const vtkIdType p = element[turned ? element.count - 1 - i : i];
+      file_.text(" ").number(zone.pointNumbers.empty() ? p : zone.pointNumbers[p]);
     }
   }
 
-  void writeCells()
+  void writeCells(const SU2Zone& zone)
   {
-    file_.text("NDIME= 3\nNELEM= ").number(mesh_.numberOfCells()).text("\n");
+    file_.text("NDIME= 3\nNELEM= ").number(zone.cells).text("\n");
+    vtkIdType next = 0;
     for (vtkIdType i = 0; i < mesh_.numberOfCells(); ++i)
     {
-      writeElement(mesh_.cell(i));
-      file_.text(" ").number(i).text("\n");
+      if (mesh_.regionOf(i) == zone.region)
+      {
+        writeElement(mesh_.cell(i), zone, false);
+        file_.text(" ").number(next++).text("\n");
+      }
     }
   }
 
-  void writePoints()
+  void writePoints(const SU2Zone& zone)
   {
-    file_.text("NPOIN= ").number(mesh_.numberOfPoints()).text("\n");
+    file_.text("NPOIN= ").number(zone.points).text("\n");
+    vtkIdType next = 0;
     for (vtkIdType i = 0; i < mesh_.numberOfPoints(); ++i)
     {
+      if (!zone.pointNumbers.empty() && zone.pointNumbers[i] < 0)
+      {
+        continue;
+      }
       for (const double x : mesh_.point(i))
       {
         file_.number(x).text(" ");
       }
-      file_.number(i).text("\n");
+      file_.number(next++).text("\n");
     }
   }
 
-  void writeMarkers()
+  void writeMarkers(const SU2Zone& zone)
   {
-    file_.text("NMARK= ").number(patches_.size()).text("\n");
-    for (std::size_t i = 0; i < patches_.size(); ++i)
+    file_.text("NMARK= ").number(zone.markers.size()).text("\n");
+    for (const SU2Marker& marker : zone.markers)
     {
-      const BoundaryPatch& patch = patches_[i];
-      file_.text("MARKER_TAG= ").text(labels_[i]).text("\nMARKER_ELEMS= ").number(patch.count()).text("\n");
-      for (vtkIdType f = patch.first; f < patch.first + patch.count(); ++f)
+      file_.text("MARKER_TAG= ").text(marker.label).text("\nMARKER_ELEMS= ");
+      file_.number(marker.faces.size()).text("\n");
+      for (const auto& [face, turned] : marker.faces)
       {
-        writeElement(mesh_.face(f));
+        writeElement(mesh_.face(face), zone, turned);
         file_.text("\n");
       }
     }
   }
 
   const MeshView& mesh_;
+  const SU2Zones& zones_;
   OutputFile file_;
-  const std::vector<BoundaryPatch>& patches_;
-  std::vector<std::string> labels_;
 };
 } // namespace
 
 Outcome vtkSU2MeshWriter::WriteMesh(const MeshView& mesh)
 {
+  SU2Zones zones(mesh);
   ReplacedPath path(this->FileName, ReplacedPath::Kind::File);
-  if (Outcome outcome = path.prepare(); !outcome.ok())
+  Outcome outcome = zones.prepare();
+  outcome = outcome.ok() ? path.prepare() : outcome;
+  if (!outcome.ok())
   {
     return outcome;
   }
-  if (const int error = SU2File(mesh, path.temporary()).write())
+  if (const int error = SU2File(mesh, zones, path.temporary()).write())
   {
     return writingFailed(this->FileName, error);
   }

@@ -4,7 +4,8 @@
  *
  * Text: volume cells, points (with as many digits as give the same numbers when read), a marker for each patch.
  * SU2 takes what a marker is from its configuration, so the file begins with comments that say the patches' types
- * and give the lines for it. Patches inside the mesh cannot be held.
+ * and give the lines for it. Several regions become several zones of the file (NZONE, IZONE); a patch that divides
+ * two of them is a marker in both, with the zones' names behind its own. Other patches inside the mesh cannot be held.
  *
  * Input, errors, files: see vtkSolverMeshWriter; formats.md has the format's page.
  */
@@ -18,6 +19,8 @@ class RANSMESHINGIO_EXPORT vtkSU2MeshWriter : public vtkSolverMeshWriter
 public:
   static vtkSU2MeshWriter* New();
   vtkTypeMacro(vtkSU2MeshWriter, vtkSolverMeshWriter);
+
+  bool CanHoldDividingSheets() override { return true; }
 
 protected:
   vtkSU2MeshWriter() = default;

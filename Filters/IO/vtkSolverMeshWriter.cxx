@@ -20,12 +20,13 @@ namespace
 using ransmesh::MeshView;
 using ransmesh::Outcome;
 
-std::string namesOfSheets(const MeshView& mesh)
+// Of those that a file cannot hold.
+std::string namesOfSheets(const MeshView& mesh, vtkSolverMeshWriter* writer)
 {
   std::string names;
   for (const auto& patch : mesh.patches())
   {
-    if (patch.inside)
+    if (patch.inside && !(patch.divides ? writer->CanHoldDividingSheets() : writer->CanHoldSheets()))
     {
       names += (names.empty() ? "" : ", ") + patch.name;
     }
@@ -122,10 +123,10 @@ Outcome vtkSolverMeshWriter::WriteView(MeshView& mesh)
 {
   if (this->LeaveOutSheets)
   {
-    mesh.leaveOutSheets();
+    mesh.leaveOutSheets(this->CanHoldSheets() || !this->CanHoldDividingSheets());
   }
-  const std::string sheets = namesOfSheets(mesh);
-  if (!sheets.empty() && !this->CanHoldSheets())
+  const std::string sheets = namesOfSheets(mesh, this);
+  if (!sheets.empty())
   {
     return Outcome::badInput(std::string(this->FileName) +
       ": files of this kind cannot hold patches inside the mesh, and this mesh has: " + sheets +

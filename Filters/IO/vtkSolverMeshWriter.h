@@ -13,6 +13,9 @@
  * A patch inside the mesh, with cells on both sides (a sheet: a wake, a wall without thickness), is an error
  * where the format cannot hold it, unless LeaveOutSheets is on.
  *
+ * Regions (cell array RegionId, field data RegionNames) are written as each format has them: zones, cell zones,
+ * physical volumes; formats.md tells.
+ *
  * @sa vtkSU2MeshWriter vtkOpenFOAMMeshWriter vtkUGRIDMeshWriter vtkCGNSMeshWriter vtkGmshMeshWriter
  */
 #ifndef vtkSolverMeshWriter_h
@@ -46,7 +49,7 @@ public:
   ///@{
   /**
    * Leave out patches inside the mesh. Right for a wake, through which the flow passes; wrong for a wall without
-   * thickness. Default off.
+   * thickness. Patches that divide regions stay where files can hold these alone (SU2). Default off.
    */
   vtkSetMacro(LeaveOutSheets, bool);
   vtkGetMacro(LeaveOutSheets, bool);
@@ -72,6 +75,11 @@ public:
    * Can files of this name hold patches inside the mesh (wakes, walls without thickness)?
    */
   virtual bool CanHoldSheets() { return false; }
+
+  /**
+   * Can they hold such patches where they divide two regions of the mesh (cell array RegionId)?
+   */
+  virtual bool CanHoldDividingSheets() { return this->CanHoldSheets(); }
 
 protected:
   vtkSolverMeshWriter();

@@ -117,7 +117,11 @@ public:
     writeFaceNumbers(CellKind::Quadrilateral);
     for (const CellKind kind : VolumeKinds)
     {
-      mesh_.forEachCell(kind, [this](const Corners& cell) { writeCell(cell); });
+      mesh_.forEachCell(kind, [this](const Corners& cell, std::size_t) { writeCell(cell); });
+    }
+    if (mesh_.regions().size() > 1)
+    {
+      writeVolumeNumbers();
     }
     file_.close();
     return file_.error();
@@ -196,6 +200,22 @@ private:
       addPoint(cell[cell.kind == CellKind::Pyramid ? pyramid[i] : i]);
     }
     endLine();
+  }
+
+  // Optional records of the format, at its end: how many tetrahedra are in layers, and each cell's volume.
+  void writeVolumeNumbers()
+  {
+    add(std::int32_t{ 0 });
+    endLine();
+    for (const CellKind kind : VolumeKinds)
+    {
+      mesh_.forEachCell(kind,
+        [this](const Corners&, std::size_t region)
+        {
+          add(static_cast<std::int32_t>(mesh_.regions()[region].id));
+          endLine();
+        });
+    }
   }
 
   const MeshView& mesh_;

@@ -7,18 +7,17 @@
 
 #include "MeshConversion.h"
 #include "OptionRange.h"
+#include "RegionArrays.h"
 #include "StageContext.h"
 
 #include "Mesh/Regions.h"
 #include "Support/DataContract.h"
 
-#include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -47,17 +46,6 @@ void writeSwitches(const std::string& switches, vtkUnstructuredGrid* grid)
   array->SetName(ransmesh::contract::MesherSwitches);
   array->InsertNextValue(switches);
   grid->GetFieldData()->AddArray(array);
-}
-
-void writeRegions(const ransmesh::MeshData& mesh, vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(ransmesh::contract::RegionId);
-  array->SetNumberOfValues(grid->GetNumberOfCells());
-  array->FillValue(0);
-  const std::vector<int> regions = ransmesh::numberRegions(mesh); // of the tetrahedra, which come first
-  std::copy(regions.begin(), regions.end(), array->GetPointer(0));
-  grid->GetCellData()->AddArray(array);
 }
 
 void writeCount(const char* name, std::size_t count, vtkUnstructuredGrid* grid)
@@ -328,7 +316,7 @@ int vtkIsotropicTetMesher::RequestData(
     return this->Refuse(outcome, report, problems);
   }
   ransmesh::writeMesh(made.mesh, domain.patches, output);
-  writeRegions(made.mesh, output);
+  ransmesh::writeRegions(ransmesh::numberRegions(made.mesh), output);
   writeSwitches(made.switches, output);
   writeCount(ransmesh::contract::SurfaceSwaps, made.triangles.swaps, output);
   writeCount(ransmesh::contract::SurfaceSplits, made.triangles.splits, output);

@@ -2,7 +2,10 @@
 
 SU2 and UGRID have no such reader here: theirs are below, written from the formats' specifications.
 """
+import ctypes
+import itertools
 import os
+import shutil
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -12,10 +15,11 @@ VTK_SIZES = {10: 4, 14: 5, 13: 6, 12: 8, 5: 3, 9: 4}
 
 
 class Mesh:
-    """points (n, 3); cells: {number of points: (n, k) array}; patches: {name: [face, ...]}, as arrays."""
+    """points (n, 3); cells: {number of points: (n, k) array}; patches: {name: [face, ...]}, as arrays;
+    regions: {name or number: keys of cells}, where a file tells of several."""
 
-    def __init__(self, points, cells, patches):
-        self.points, self.cells, self.patches = points, cells, patches
+    def __init__(self, points, cells, patches, regions=None):
+        self.points, self.cells, self.patches, self.regions = points, cells, patches, regions or {}
 
     def assert_same(self, other, exact=True):
         """The same points in the same order, the same cells and patches of the same faces, in any order."""
@@ -54,6 +58,10 @@ class Mesh:
         volume = sum(np.dot(self.points[f].mean(axis=0), self.area(f)) for f in faces) / 3
         assert volume * sign > 0, volume
         assert np.linalg.norm(sum(self.area(f) for f in faces)) < 1e-9 * abs(volume) ** (2 / 3)
+
+
+def has(program):
+    return shutil.which(program) is not None
 
 
 def key(face):
@@ -103,6 +111,12 @@ def cells_of(grid):
 
 def read_su2(path):
     """https://su2code.github.io/docs_v7/Mesh-File/"""
+    zone, = read_su2_zones(path)
+    return zone
+
+
+def read_su2_zones(path):
+    """A mesh for each zone: https://su2code.github.io/docs_v7/Multizone/"""
     sizes = {10: 4, 14: 5, 13: 6, 12: 8, 5: 3, 9: 4}
     with open(path, encoding="utf-8") as file:
         lines = iter([line for line in file if not line.startswith("%")])
@@ -116,18 +130,30 @@ def read_su2(path):
         words = next(lines).split()
         return [int(w) for w in words[1:1 + sizes[int(words[0])]]]
 
-    assert value("NDIME") == "3"
-    cells = {}
-    for _ in range(int(value("NELEM"))):
-        cell = element()
-        cells.setdefault(len(cell), []).append(cell)
-    points = [[float(w) for w in next(lines).split()[:3]] for _ in range(int(value("NPOIN")))]
-    patches = {}
-    for _ in range(int(value("NMARK"))):
-        name = value("MARKER_TAG")
-        patches[name] = [element() for _ in range(int(value("MARKER_ELEMS")))]
+    def zone():
+        assert value("NDIME") == "3"
+        cells = {}
+        for _ in range(int(value("NELEM"))):
+            cell = element()
+            cells.setdefault(len(cell), []).append(cell)
+        points = [[float(w) for w in next(lines).split()[:3]] for _ in range(int(value("NPOIN")))]
+        patches = {}
+        for _ in range(int(value("NMARK"))):
+            name = value("MARKER_TAG")
+            patches[name] = [element() for _ in range(int(value("MARKER_ELEMS")))]
+        return Mesh(np.array(points), {k: np.array(v) for k, v in cells.items()}, patches)
+
+    first = next(lines)
+    zones = []
+    if first.startswith("NZONE="):
+        for number in range(1, int(first[6:]) + 1):
+            assert value("IZONE") == str(number)
+            zones.append(zone())
+    else:
+        lines = itertools.chain([first], lines)
+        zones.append(zone())
     assert next(lines, None) is None
-    return Mesh(np.array(points), {k: np.array(v) for k, v in cells.items()}, patches)
+    return zones
 
 
 def read_ugrid(path):
@@ -156,12 +182,27 @@ def read_ugrid(path):
     for count, size in zip(cells, (4, 5, 6, 8)):
         if count:
             volume[size] = take(size * count).reshape(-1, size) - 1
-    assert at == (len(content) if words is None else len(words))
+    end = len(content) if words is None else len(words)
+    volumes = None
+    if at < end:  # optional: the number of tetrahedra in layers, and each cell's volume
+        assert take(1)[0] == 0
+        numbers_of_cells = iter(np.split(take(sum(cells)), np.cumsum(cells)[:-1]))
+        volumes = {size: next(numbers_of_cells) for size in (4, 5, 6, 8)}
+    assert at == end
     if 5 in volume:  # the base is 0 1 4 3, the tip 2; here: the base turned into the cell, then the tip
         volume[5] = volume[5][:, [1, 0, 3, 4, 2]]
     names = [name for _, _, name in read_mapbc(path[:path.index(".", path.rindex("/"))] + ".mapbc")]
     patches = {name: [f for f, n in zip(faces, numbers) if n == i + 1] for i, name in enumerate(names)}
-    return Mesh(coordinates, volume, patches)
+    return Mesh(coordinates, volume, patches, regions_of(volume, volumes) if volumes else {})
+
+
+def regions_of(cells, numbers):
+    """{number: keys of cells} of arrays of the cells' numbers, both by the cells' number of points."""
+    regions = {}
+    for size, rows in cells.items():
+        for row, number in zip(rows, numbers[size]):
+            regions.setdefault(int(number), set()).add(key(row))
+    return regions
 
 
 def read_mapbc(path):
@@ -180,7 +221,7 @@ def read_gmsh(path):
         gmsh.open(path)
         tags, points, _ = gmsh.model.mesh.getNodes()
         points = points.reshape(-1, 3)[np.argsort(tags)]
-        cells, patches = {}, {}
+        cells, patches, regions = {}, {}, {}
         for dimension, group in gmsh.model.getPhysicalGroups():
             name = gmsh.model.getPhysicalName(dimension, group)
             for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, group):
@@ -188,10 +229,11 @@ def read_gmsh(path):
                     size = gmsh.model.mesh.getElementProperties(kind)[3]
                     nodes = nodes.reshape(-1, size).astype(int) - 1
                     if dimension == 3:
-                        cells[size] = nodes
+                        cells.setdefault(size, []).append(nodes)
+                        regions.setdefault(name, set()).update(map(key, nodes))
                     else:
                         patches.setdefault(name, []).extend(nodes)
-        return Mesh(points, cells, patches)
+        return Mesh(points, {size: np.concatenate(rows) for size, rows in cells.items()}, patches, regions)
     finally:
         gmsh.finalize()
 
@@ -243,13 +285,17 @@ def read_openfoam(folder):
     reader.SetFileName(marker)
     reader.UpdateInformation()
     reader.EnableAllPatchArrays()
+    reader.SetReadZones(os.path.exists(os.path.join(folder, "cellZones")))
     reader.Update()
     blocks = named_blocks(reader.GetOutput())
-    surfaces = [(name.split("/")[-1], block) for name, block in blocks.items() if name != "internalMesh"]
+    zones = {name.split("/")[-1]: block for name, block in blocks.items() if name.startswith("zones/cellZones/")}
+    surfaces = [(name.split("/")[-1], block) for name, block in blocks.items()
+                if name != "internalMesh" and not name.startswith("zones/")]
     mesh = of_blocks(blocks["internalMesh"], surfaces)
     points = foam_points(os.path.join(folder, "points"))
     assert np.allclose(points, mesh.points, rtol=1e-6, atol=1e-7)
     mesh.points = points
+    mesh.regions = {name: set(map(key, cells_of(block)[1])) for name, block in zones.items()}
     return mesh
 
 
@@ -276,6 +322,42 @@ def read_cgns(path):
     blocks = named_blocks(reader.GetOutput())
     volume, *surfaces = blocks.items()
     return of_blocks(volume[1], [(name.split("/")[-1], block) for name, block in surfaces])
+
+
+def cgns_regions(path):
+    """{name: keys of cells} of the sub-regions of a file's zone, by libcgns itself."""
+    cgns = ctypes.CDLL("libcgns.so.3.4" if os.path.exists("/usr/lib/x86_64-linux-gnu/libcgns.so.3.4") else "libcgns.so")
+    sizes = {10: 4, 12: 5, 14: 6, 17: 8}  # corners by CGNS's number of the shape
+
+    def call(name, *arguments):
+        assert getattr(cgns, name)(*arguments) == 0, name
+
+    def number():
+        return ctypes.c_int()
+
+    file, count, names = number(), number(), [ctypes.create_string_buffer(66) for _ in range(2)]
+    call("cg_open", path.encode(), 0, ctypes.byref(file))
+    elements = {}
+    call("cg_nsections", file, 1, 1, ctypes.byref(count))
+    for section in range(1, count.value + 1):
+        kind, first, last, rest = number(), number(), number(), [number(), number()]
+        call("cg_section_read", file, 1, 1, section, names[0], *map(ctypes.byref, (kind, first, last, *rest)))
+        if kind.value in sizes:
+            rows = np.empty((last.value - first.value + 1, sizes[kind.value]), np.int32)
+            call("cg_elements_read", file, 1, 1, section, rows.ctypes.data_as(ctypes.c_void_p), None)
+            elements.update(zip(range(first.value, last.value + 1), map(key, rows - 1)))
+    call("cg_nsubregs", file, 1, 1, ctypes.byref(count))
+    regions = {}
+    for region in range(1, count.value + 1):
+        about, ends = [number() for _ in range(6)], (ctypes.c_int * 2)()
+        call("cg_subreg_info", file, 1, 1, region, names[0], *map(ctypes.byref, about))
+        call("cg_subreg_ptset_read", file, 1, 1, region, ends)
+        call("cg_goto", file, 1, b"Zone_t", 1, b"ZoneSubRegion_t", region, b"end")
+        call("cg_famname_read", names[1])
+        assert about[0].value == 3 and names[0].value == names[1].value
+        regions[names[1].value.decode()] = {elements[e] for e in range(ends[0], ends[1] + 1)}
+    call("cg_close", file)
+    return regions
 
 
 def named_blocks(tree, prefix=""):

@@ -77,6 +77,35 @@ def all_kinds(turned=False):
     return grid_of(points, cells, patches)
 
 
+def two_regions():
+    """The cells of all_kinds, the wedge and the tetrahedron being a region of their own, behind a quadrilateral."""
+    both = all_kinds()
+    kinds, points = mesh_files.cells_of(both)
+    ids = [int(both.GetCellData().GetArray("PatchId").GetTuple1(c)) for c in range(both.GetNumberOfCells())]
+    names = both.GetFieldData().GetAbstractArray("PatchNames")
+    kinds_of = both.GetFieldData().GetAbstractArray("PatchTypes")
+    patches = [(names.GetValue(i), kinds_of.GetValue(i), [list(map(int, p)) for p, of in zip(points, ids) if of == i])
+               for i in (1, 2, 3)]
+    grid = grid_of([both.GetPoint(i) for i in range(both.GetNumberOfPoints())],
+                   [(int(k), list(map(int, p))) for k, p, of in zip(kinds, points, ids) if of == 0],
+                   [*patches, ("between", "interface", [(1, 2, 6, 5)])])
+    add_regions(grid, [3, 3, 7, 7], {3: "air", 7: "solid part"})
+    return grid
+
+
+def add_regions(grid, of_cells, names):
+    """RegionId of the cells of the volume, which come first, and RegionNames."""
+    regions, array = vtkIntArray(), vtkStringArray()
+    regions.SetName("RegionId")
+    array.SetName("RegionNames")
+    for number in [*of_cells, *[0] * (grid.GetNumberOfCells() - len(of_cells))]:
+        regions.InsertNextValue(int(number))
+    for number in range(max(names) + 1):
+        array.InsertNextValue(names.get(number, ""))
+    grid.GetCellData().AddArray(regions)
+    grid.GetFieldData().AddArray(array)
+
+
 @functools.cache
 def ball(prisms=False):
     """A ball in a box, with layers on it."""

@@ -2,6 +2,7 @@
 
 #include "Boundary/FeatureSplit.h"
 #include "Geometry/Predicates.h"
+#include "Mesh/Regions.h"
 #include "Mesh/TetMesh.h"
 #include "Mesh/Tidying.h"
 #include "Mesh/Validation.h"
@@ -30,6 +31,7 @@ struct TetFace
 {
   Corners key;    // sorted
   Corners turned; // as the tetrahedron has it, outward
+  Index tet;
 };
 
 std::string counted(std::size_t n, const char* one, const char* many)
@@ -40,8 +42,9 @@ std::string counted(std::size_t n, const char* one, const char* many)
 class Adoption
 {
 public:
-  Adoption(MeshData& mesh, PatchTable& patches, std::vector<std::string>& remarks)
+  Adoption(MeshData& mesh, NamedRegions& regions, PatchTable& patches, std::vector<std::string>& remarks)
     : mesh_(mesh)
+    , regions_(regions)
     , patches_(patches)
     , remarks_(remarks)
   {
@@ -61,14 +64,18 @@ public:
     listFaces();
     sortOutTriangles();
     partInnerTriangles();
+    coverFacesBetweenRegions();
     coverOuterFaces(featureAngle);
     dropUnusedPoints(mesh_);
     turnOutward(mesh_, matchFaces(mesh_));
     sortByPatch(mesh_);
-    const MeshFaults faults = findFaults(mesh_);
-    return faults.none() ? Outcome::done()
-                         : Outcome::badInput("the mesh is not valid: " + faults.text() +
-                             "; make it anew, or mend it, in the program that it comes from");
+    if (const MeshFaults faults = findFaults(mesh_); !faults.none())
+    {
+      return Outcome::badInput("the mesh is not valid: " + faults.text() +
+        "; make it anew, or mend it, in the program that it comes from");
+    }
+    regions_.of = regions_.of.empty() ? numberRegions(mesh_) : regions_.of;
+    return Outcome::done();
   }
 
 private:
@@ -162,13 +169,14 @@ private:
   void listFaces()
   {
     faces_.reserve(4 * mesh_.tetrahedra.size());
-    for (const auto& tet : mesh_.tetrahedra)
+    for (std::size_t t = 0; t < mesh_.tetrahedra.size(); ++t)
     {
+      const auto& tet = mesh_.tetrahedra[t];
       for (const auto& c : FaceCorners)
       {
         // The corners of a face run inward.
         const Corners turned = { tet[c[0]], tet[c[2]], tet[c[1]] };
-        faces_.push_back({ sorted(turned), turned });
+        faces_.push_back({ sorted(turned), turned, static_cast<Index>(t) });
       }
     }
     std::sort(faces_.begin(), faces_.end(), [](const TetFace& a, const TetFace& b) { return a.key < b.key; });
@@ -178,7 +186,8 @@ private:
   std::size_t tetsAt(const Corners& key) const
   {
     const auto less = [](const TetFace& a, const TetFace& b) { return a.key < b.key; };
-    const auto [first, last] = std::equal_range(faces_.begin(), faces_.end(), TetFace{ key, key }, less);
+    const auto [first, last] =
+      std::equal_range(faces_.begin(), faces_.end(), TetFace{ key, key, None }, less);
     return last - first;
   }
 
@@ -243,6 +252,36 @@ private:
     }
   }
 
+  std::string nameOfRegion(int number) const
+  {
+    const auto name = regions_.name.find(number);
+    return name == regions_.name.end() ? "region_" + std::to_string(number) : name->second;
+  }
+
+  void coverFacesBetweenRegions()
+  {
+    std::size_t added = 0;
+    std::map<std::pair<int, int>, int> patchOf;
+    for (std::size_t f = 1; f < faces_.size() && !regions_.of.empty(); ++f)
+    {
+      const auto [low, high] = std::minmax(regions_.of[faces_[f - 1].tet], regions_.of[faces_[f].tet]);
+      if (faces_[f - 1].key != faces_[f].key || low == high || covered_.contains(faces_[f].key))
+      {
+        continue;
+      }
+      const auto [patch, isNew] = patchOf.try_emplace({ low, high }, static_cast<int>(patches_.size()));
+      if (isNew)
+      {
+        patches_.push_back({ nameOfRegion(low) + "_to_" + nameOfRegion(high), PatchType::Interface });
+      }
+      mesh_.triangles.push_back(faces_[f].turned);
+      mesh_.trianglePatch.push_back(patch->second);
+      ++added;
+    }
+    note(added, "face between regions came without a patch and is of a patch '..._to_...' now",
+      "faces between regions came without a patch and are of patches '..._to_...' now");
+  }
+
   void coverOuterFaces(double featureAngle)
   {
     SurfaceMesh bare;
@@ -274,6 +313,7 @@ private:
   }
 
   MeshData& mesh_;
+  NamedRegions& regions_;
   PatchTable& patches_;
   std::vector<std::string>& remarks_;
   std::vector<TetFace> faces_;
@@ -282,12 +322,13 @@ private:
 };
 } // namespace
 
-Outcome adoptMesh(MeshData& mesh, PatchTable& patches, double featureAngle, std::vector<std::string>& remarks)
+Outcome adoptMesh(MeshData& mesh, NamedRegions& regions, PatchTable& patches, double featureAngle,
+  std::vector<std::string>& remarks)
 {
   if (mesh.tetrahedra.empty())
   {
     return Outcome::badInput("the mesh has no tetrahedra");
   }
-  return Adoption(mesh, patches, remarks).run(featureAngle);
+  return Adoption(mesh, regions, patches, remarks).run(featureAngle);
 }
 } // namespace ransmesh

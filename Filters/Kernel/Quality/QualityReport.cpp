@@ -84,6 +84,25 @@ CellMeasures onlyLayers(
   return layers;
 }
 
+std::vector<RegionSummary> summarizeRegions(const ReportSubject& subject, const CellMeasures& cells)
+{
+  std::map<int, RegionSummary> regions;
+  for (std::size_t t = 0; subject.region && t < cells.count(); ++t)
+  {
+    RegionSummary& region = regions[(*subject.region)[t]];
+    ++region.tetrahedra;
+    region.volume += cells.volume[t];
+  }
+  std::vector<RegionSummary> summaries;
+  for (auto& [number, region] : regions)
+  {
+    region.number = number;
+    region.name = subject.regionNames.at(number);
+    summaries.push_back(std::move(region));
+  }
+  return summaries.size() > 1 ? summaries : std::vector<RegionSummary>();
+}
+
 void addCellHistograms(const CellMeasures& cells, const std::string& scope, std::vector<Histogram>& into)
 {
   const auto add = [&](Histogram histogram, const char* quantity)
@@ -108,6 +127,7 @@ void measureMesh(const ReportSubject& subject, const FaceMatching& matching, con
   report.volume = totalVolume(subject.mesh);
   report.patches = summarizePatches(subject.mesh, subject.patches);
   tellSheets(subject.mesh, matching, report.patches);
+  report.regions = summarizeRegions(subject, cells);
   report.cellVolume = quantilesOf(cells.volume);
   report.longestEdge = quantilesOf(cells.longestEdge);
   report.shortestEdge = quantilesOf(cells.shortestEdge);

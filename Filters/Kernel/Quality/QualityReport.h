@@ -13,6 +13,7 @@
 #include "Support/Context.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,15 @@ struct PatchSummary
   bool isSheet = false; // inside the mesh; then triangles and area are those of one side
   std::size_t triangles = 0;
   double area = 0;
+};
+
+// A part of the mesh that others have a number of their own beside.
+struct RegionSummary
+{
+  int number = 0;
+  std::string name;
+  std::size_t tetrahedra = 0;
+  double volume = 0;
 };
 
 // Shapes of all tetrahedra, or of those in the layers. Angles in degrees.
@@ -102,7 +112,8 @@ struct QualityReport
   std::size_t points = 0;
   std::size_t tetrahedra = 0;
   std::size_t triangles = 0;
-  std::vector<PatchSummary> patches; // those with triangles
+  std::vector<PatchSummary> patches;  // those with triangles
+  std::vector<RegionSummary> regions; // by number; empty where there are not several
 
   double volume = 0;
   Quantiles cellVolume;
@@ -124,6 +135,8 @@ struct ReportSubject
   const LayerPlan& plan;                     // may be empty
   const std::vector<int>* layerId = nullptr; // of each tetrahedron, 0 none; may be left out
   const PrismSummary* prisms = nullptr;      // where the mesh was cut from one with prisms
+  const std::vector<int>* region = nullptr;  // the number of each tetrahedron's; may be left out
+  std::map<int, std::string> regionNames{};  // of all those numbers
 };
 
 // Linear in the size of the mesh. cells, if given, receives the measures of each tetrahedron and what lies behind

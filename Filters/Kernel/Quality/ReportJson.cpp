@@ -62,6 +62,16 @@ void write(JsonWriter& json, const PatchSummary& patch)
   json.endObject();
 }
 
+void write(JsonWriter& json, const RegionSummary& region)
+{
+  json.beginObject();
+  json.name("RegionId").value(region.number);
+  json.name("Name").value(region.name);
+  json.name("Tetrahedra").value(region.tetrahedra);
+  json.name("Volume").value(region.volume);
+  json.endObject();
+}
+
 void writeAsked(JsonWriter& json, const LayerSpecification& asked)
 {
   json.name("FirstHeightAsked").value(asked.firstHeight);
@@ -153,6 +163,8 @@ void writeMeasures(JsonWriter& json, const QualityReport& report)
   json.name("Volume").value(report.volume);
   writeByName(
     json, "Patches", report.patches, [](const PatchSummary& p) { return std::to_string(p.number); });
+  writeByName(
+    json, "Regions", report.regions, [](const RegionSummary& r) { return std::to_string(r.number); });
   write(json, "CellVolume", report.cellVolume);
   write(json, "LongestEdge", report.longestEdge);
   write(json, "ShortestEdge", report.shortestEdge);

@@ -137,6 +137,12 @@ std::vector<ReportRow> reportRows(const QualityReport& report)
     rows.add("BoundaryTriangles", patch.triangles, "triangles");
     rows.add("Area", patch.area, "length^2");
   }
+  for (const RegionSummary& region : report.regions)
+  {
+    rows.scope("region " + region.name);
+    rows.add("Tetrahedra", region.tetrahedra, "tetrahedra");
+    rows.add("Volume", region.volume, "length^3");
+  }
   rows.scope("whole");
   for (const StopCount& stop : report.stops)
   {

@@ -112,6 +112,22 @@ std::string patchesText(const std::vector<PatchSummary>& patches)
   return text + more(patches.size() - std::min(patches.size(), PatchesShown));
 }
 
+std::string regionsText(const std::vector<RegionSummary>& regions)
+{
+  if (regions.empty())
+  {
+    return "";
+  }
+  std::string text = format("\n  %5s %-39s %14s %14s\n", "", "region", "tetrahedra", "volume");
+  for (std::size_t i = 0; i < std::min(regions.size(), PatchesShown); ++i)
+  {
+    const RegionSummary& region = regions[i];
+    text += format("  %5d %-39s %14zu %14.6g\n", region.number, shortened(region.name, 39).c_str(),
+      region.tetrahedra, region.volume);
+  }
+  return text + more(regions.size() - std::min(regions.size(), PatchesShown));
+}
+
 std::string cellsText(const QualityReport& report)
 {
   std::string text = "\n" + quantileHeading("tetrahedra (length unit: the mesh's)");
@@ -217,6 +233,7 @@ std::string reportText(const QualityReport& report)
   {
     return text + "  Nothing else can be measured on it.\n";
   }
-  return text + patchesText(report.patches) + cellsText(report) + sharesText(report) + wallsText(report);
+  return text + patchesText(report.patches) + regionsText(report.regions) + cellsText(report) +
+    sharesText(report) + wallsText(report);
 }
 } // namespace ransmesh

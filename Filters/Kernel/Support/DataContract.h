@@ -5,11 +5,10 @@
 namespace ransmesh::contract
 {
 // Cell data of the mesh.
-inline constexpr const char* PatchId = "PatchId"; // int; 0 on tetrahedra, >= 1 on boundary triangles
-inline constexpr const char* LayerId = "LayerId"; // int; 0 none, else 1 at the wall, counting outward
-inline constexpr const char* PrismId = "PrismId"; // id; tetrahedra of one prism share a number, -1 none
-inline constexpr const char* RegionId =
-  "RegionId"; // int, of the mesher's output; 0 on triangles, else from 1
+inline constexpr const char* PatchId = "PatchId";   // int; 0 on tetrahedra, >= 1 on boundary triangles
+inline constexpr const char* LayerId = "LayerId";   // int; 0 none, else 1 at the wall, counting outward
+inline constexpr const char* PrismId = "PrismId";   // id; tetrahedra of one prism share a number, -1 none
+inline constexpr const char* RegionId = "RegionId"; // int; 0 on triangles, else from 1
 // Point data of the mesh.
 inline constexpr const char* ColumnId = "ColumnId"; // id; points of one column share a number, -1 none
 // Point data of a mesh's boundary blocks (vtkMeshToNamedBlocks), and field data of each.
@@ -18,6 +17,8 @@ inline constexpr const char* BlockPatchType = "PatchType"; // string; the patch'
 // Field data of the mesh, indexed by patch number; row 0 is the fluid.
 inline constexpr const char* PatchNames = "PatchNames"; // string
 inline constexpr const char* PatchTypes = "PatchTypes"; // string
+// Field data, indexed by region number; row 0 is empty. May be missing.
+inline constexpr const char* RegionNames = "RegionNames"; // string
 // Field data: what the layers were asked to be, a row per patch (0 rows where a patch has no layers).
 inline constexpr const char* LayersFirstHeight = "LayersFirstHeight";             // double, length units
 inline constexpr const char* LayersGrowthRate = "LayersGrowthRate";               // double

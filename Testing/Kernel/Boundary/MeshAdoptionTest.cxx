@@ -16,7 +16,8 @@ void expectAdopted(MeshData mesh, PatchTable table, std::size_t patches, std::si
 {
   const double volume = totalVolume(mesh);
   std::vector<std::string> remarks;
-  const Outcome outcome = adoptMesh(mesh, table, 30, remarks);
+  NamedRegions regions;
+  const Outcome outcome = adoptMesh(mesh, regions, table, 30, remarks);
   EXPECT_TRUE(outcome.ok()) << outcome.message;
   EXPECT_TRUE(findFaults(mesh).none()) << findFaults(mesh).text();
   EXPECT_NEAR(totalVolume(mesh), std::fabs(volume), 1e-12);
@@ -45,7 +46,8 @@ TEST(MeshAdoption, TurnsTetrahedraAndTriangles)
   }
   std::vector<std::string> remarks;
   PatchTable table = Sides;
-  ASSERT_TRUE(adoptMesh(mesh, table, 30, remarks).ok());
+  NamedRegions regions;
+  ASSERT_TRUE(adoptMesh(mesh, regions, table, 30, remarks).ok());
   EXPECT_NEAR(totalVolume(mesh), 1, 1e-12);
   EXPECT_EQ(remarks.size(), 1u);
 }
@@ -91,14 +93,41 @@ TEST(MeshAdoption, KeepsSheets)
   expectAdopted(mesh, table, 2, 1); // the inner part has a patch of its own
 }
 
+TEST(MeshAdoption, DividesRegions)
+{
+  MeshData mesh = grid_mesh::make({ 4, 4, 4 });
+  NamedRegions regions;
+  for (const auto& tet : mesh.tetrahedra)
+  {
+    const bool isLow =
+      std::all_of(tet.begin(), tet.end(), [&mesh](Index v) { return mesh.points[v].x <= 0.5; });
+    regions.of.push_back(isLow ? 7 : 3);
+  }
+  regions.name = { { 7, "solid" } };
+  const std::vector<int> before = regions.of;
+  PatchTable table = Sides;
+  std::vector<std::string> remarks;
+  ASSERT_TRUE(adoptMesh(mesh, regions, table, 30, remarks).ok());
+  EXPECT_EQ(regions.of, before);
+  EXPECT_EQ(remarks.size(), 1u);
+  EXPECT_EQ(table.back().name, "region_3_to_solid");
+  EXPECT_EQ(table.back().type, PatchType::Interface);
+  EXPECT_EQ(
+    std::count(mesh.trianglePatch.begin(), mesh.trianglePatch.end(), static_cast<int>(table.size()) - 1), 32);
+  regions = {};
+  ASSERT_TRUE(adoptMesh(mesh, regions, table, 30, remarks).ok()); // by the triangles now
+  EXPECT_EQ(std::set<int>(regions.of.begin(), regions.of.end()), (std::set<int>{ 1, 2 }));
+}
+
 TEST(MeshAdoption, RefusesWhatCannotBeAMesh)
 {
   const auto refused = [](const MeshData& mesh)
   {
     MeshData copy = mesh;
     PatchTable table = Sides;
+    NamedRegions regions;
     std::vector<std::string> remarks;
-    return adoptMesh(copy, table, 30, remarks).message;
+    return adoptMesh(copy, regions, table, 30, remarks).message;
   };
   EXPECT_NE(refused({}).find("no tetrahedra"), std::string::npos);
   MeshData mesh = grid_mesh::make({ 2, 2, 2 });

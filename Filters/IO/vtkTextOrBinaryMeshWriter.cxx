@@ -1,0 +1,7 @@
+#include "vtkTextOrBinaryMeshWriter.h"
+
+void vtkTextOrBinaryMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileType: " << this->FileType << '\n';
+}
