@@ -222,6 +222,7 @@ def read_gmsh(path):
         tags, points, _ = gmsh.model.mesh.getNodes()
         points = points.reshape(-1, 3)[np.argsort(tags)]
         cells, patches, regions = {}, {}, {}
+        several = len(gmsh.model.getPhysicalGroups(3)) > 1
         for dimension, group in gmsh.model.getPhysicalGroups():
             name = gmsh.model.getPhysicalName(dimension, group)
             for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, group):
@@ -230,7 +231,8 @@ def read_gmsh(path):
                     nodes = nodes.reshape(-1, size).astype(int) - 1
                     if dimension == 3:
                         cells.setdefault(size, []).append(nodes)
-                        regions.setdefault(name, set()).update(map(key, nodes))
+                        if several:
+                            regions.setdefault(name, set()).update(map(key, nodes))
                     else:
                         patches.setdefault(name, []).extend(nodes)
         return Mesh(points, {size: np.concatenate(rows) for size, rows in cells.items()}, patches, regions)
