@@ -71,6 +71,30 @@ PatchType typeOfWord(const std::string& w)
   }
   return PatchType::Patch;
 }
+
+// The numbers of the patches that a pattern takes: a name, a name with wildcards, or a number.
+std::vector<std::size_t> takenBy(const std::string& pattern, const PatchTable& patches)
+{
+  std::vector<std::size_t> taken;
+  for (std::size_t i = 1; i < patches.size(); ++i)
+  {
+    if (pattern == std::to_string(i) || matchesPattern(patches[i].name, pattern))
+    {
+      taken.push_back(i);
+    }
+  }
+  return taken;
+}
+
+Outcome takesNone(const std::string& pattern, const char* option, const PatchTable& patches)
+{
+  std::string names;
+  for (std::size_t i = 1; i < patches.size(); ++i)
+  {
+    names += (i > 1 ? ", " : "") + patches[i].name;
+  }
+  return Outcome::badInput("no patch is named '" + pattern + "' (" + option + "); there are: " + names);
+}
 } // namespace
 
 PatchType guessType(const std::string& name)
@@ -96,23 +120,33 @@ Outcome setTypes(const std::vector<std::pair<std::string, std::string>>& typeOfP
       return Outcome::badInput("'" + typeName +
         "' is no type of patch: use wall, symmetry, farfield, inlet, " + "outlet, wake, interface or patch");
     }
-    bool taken = false;
-    for (std::size_t i = 1; i < patches.size(); ++i)
+    const std::vector<std::size_t> taken = takenBy(pattern, patches);
+    if (taken.empty())
     {
-      if (pattern == std::to_string(i) || matchesPattern(patches[i].name, pattern))
-      {
-        patches[i].type = *type;
-        taken = true;
-      }
+      return takesNone(pattern, "SetPatchType", patches);
     }
-    if (!taken)
+    for (const std::size_t i : taken)
     {
-      std::string names;
-      for (std::size_t i = 1; i < patches.size(); ++i)
-      {
-        names += (i > 1 ? ", " : "") + patches[i].name;
-      }
-      return Outcome::badInput("no patch is named '" + pattern + "' (SetPatchType); there are: " + names);
+      patches[i].type = *type;
+    }
+  }
+  return Outcome::done();
+}
+
+Outcome flagPatches(const std::vector<std::string>& patterns, const char* option, const PatchTable& patches,
+  std::vector<char>& flags)
+{
+  flags.resize(patches.size(), 0);
+  for (const std::string& pattern : patterns)
+  {
+    const std::vector<std::size_t> taken = takenBy(pattern, patches);
+    if (taken.empty())
+    {
+      return takesNone(pattern, option, patches);
+    }
+    for (const std::size_t i : taken)
+    {
+      flags[i] = 1;
     }
   }
   return Outcome::done();

@@ -195,7 +195,9 @@ private:
     return Outcome::badInput("the surface has " + std::to_string(inside.triangles.size()) +
       " triangles with fluid on both sides, the first at " +
       placeOf(result.problemSurface, 0, domain_.patches) +
-      "; give walls without thickness and wakes as sheets, by the second input, or leave them out");
+      "; give walls without thickness and wakes as sheets, by the second input, or leave them out; of bodies "
+      "whose "
+      "insides are kept, name all patches");
   }
 
   const Domain& domain_;

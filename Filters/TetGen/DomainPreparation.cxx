@@ -13,11 +13,11 @@ namespace ransmesh
 namespace
 {
 // The types that the user did not set and that names do not tell: with a box around them, bodies are walls.
-void makeBodiesWalls(PatchTable& patches)
+void makeBodiesWalls(const std::vector<char>& isSheet, PatchTable& patches)
 {
   for (std::size_t i = 1; i < patches.size(); ++i)
   {
-    if (patches[i].type == PatchType::Patch)
+    if (patches[i].type == PatchType::Patch && !isSheet[i])
     {
       patches[i].type = PatchType::Wall;
     }
@@ -123,6 +123,12 @@ Outcome setPatchTypes(const MesherSettings& settings, SurfaceInput& input)
   return outcome.ok() ? checkSheetTypes(input.patches, input.isSheet) : outcome;
 }
 
+// Surfaces whose insides are kept have the mesh on both sides, as sheets have.
+Outcome keepInsides(const MesherSettings& settings, SurfaceInput& input)
+{
+  return flagPatches(settings.keptInsides, "KeepInside", input.patches, input.isSheet);
+}
+
 // The patches at which the far field lies: all sides of the box but the planes.
 std::vector<int> farPatches(const FarFieldBox& box, const Planes& planes)
 {
@@ -143,7 +149,7 @@ void addFarField(const MesherSettings& settings, const Planes& planes, SurfaceIn
 {
   const FarFieldOptions& options = *settings.farField;
   const Extent bodies = extentOf(input.surface.points);
-  makeBodiesWalls(input.patches);
+  makeBodiesWalls(input.isSheet, input.patches);
   if (options.isSphere)
   {
     const SurfaceMesh sphere =
@@ -207,6 +213,10 @@ Outcome prepareDomain(
   }
   splitPatches(settings, input);
   if (Outcome outcome = remesh(settings, planes, input, report); !outcome.ok())
+  {
+    return outcome;
+  }
+  if (Outcome outcome = keepInsides(settings, input); !outcome.ok())
   {
     return outcome;
   }

@@ -24,6 +24,7 @@ struct MesherSettings
   double surfaceAngle = 10; // degrees, how far swaps may turn the surface
   std::optional<FarFieldOptions> farField;
   std::vector<DomainPlane> planes;
+  std::vector<std::string> keptInsides; // patches whose insides are meshed, too: patterns
   std::vector<std::pair<std::string, std::string>> typeOfPattern;
   MeshingOptions meshing;
 };

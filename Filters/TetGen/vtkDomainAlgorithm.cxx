@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct vtkDomainAlgorithm::DomainInternals
 {
   std::vector<std::pair<std::string, std::string>> TypeOfPattern;
   std::array<std::optional<ransmesh::SideName>, 6> Sides;
+  std::vector<std::string> KeptInsides;
 };
 
 //------------------------------------------------------------------------------
@@ -54,6 +56,7 @@ void vtkDomainAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GroundPosition: " << this->GroundPosition << "\n";
   os << indent << "PatchFromFeatureAngle: " << this->PatchFromFeatureAngle << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "Patches whose insides are kept: " << this->DomainLists->KeptInsides.size() << "\n";
   os << indent << "Patch types set: " << this->DomainLists->TypeOfPattern.size() << "\n";
 }
 
@@ -71,6 +74,23 @@ void vtkDomainAlgorithm::SetPatchType(const char* pattern, const char* typeName)
 void vtkDomainAlgorithm::ClearPatchTypes()
 {
   this->DomainLists->TypeOfPattern.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkDomainAlgorithm::KeepInside(const char* pattern)
+{
+  if (pattern)
+  {
+    this->DomainLists->KeptInsides.emplace_back(pattern);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkDomainAlgorithm::ClearKeptInsides()
+{
+  this->DomainLists->KeptInsides.clear();
   this->Modified();
 }
 
@@ -149,6 +169,7 @@ void vtkDomainAlgorithm::DescribeDomain(ransmesh::MesherSettings& settings) cons
   settings.patchFromFeatureAngle = this->PatchFromFeatureAngle;
   settings.featureAngle = this->FeatureAngle;
   settings.typeOfPattern = this->DomainLists->TypeOfPattern;
+  settings.keptInsides = this->DomainLists->KeptInsides;
   if (this->FarField)
   {
     ransmesh::FarFieldOptions& farField = settings.farField.emplace();

@@ -54,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Points of open edges that lie within this distance of each other, in the unit of the surface, become one. 0:
-   * none. Default -1: a millionth of the largest extent.
+   * Points of open edges that lie within this distance of each other, in the unit of the surface, become one, and
+   * those that lie within it of another open edge enter that edge. 0: none. Default -1: a millionth of the largest extent.
    */
   vtkSetMacro(WeldTolerance, double);
   vtkGetMacro(WeldTolerance, double);
@@ -77,6 +77,17 @@ public:
    */
   vtkSetMacro(LargestHole, double);
   vtkGetMacro(LargestHole, double);
+  ///@}
+
+  ///@{
+  /**
+   * Keeps what the patches that a pattern takes (a name, a name with the wildcards * and ?, or a number) enclose: the
+   * inside of a body is meshed, as a region of its own (cell array RegionId), and its surface is faces of
+   * the mesh with tetrahedra on both sides. All patches of the body must be taken. Unless their names or SetPatchType
+   * tell otherwise they are of type patch: no walls, no layers. Default: insides of bodies are left empty.
+   */
+  void KeepInside(const char* pattern);
+  void ClearKeptInsides();
   ///@}
 
   ///@{

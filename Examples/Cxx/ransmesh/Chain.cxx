@@ -122,6 +122,10 @@ void Chain::describeDomain()
   {
     mesher_->SetFarFieldSide(side.side.c_str(), side.name.c_str(), side.type.c_str());
   }
+  for (const std::string& pattern : options_.keptInsides)
+  {
+    mesher_->KeepInside(pattern.c_str());
+  }
   mesher_->SetSymmetryPlane(options_.symmetry.axis);
   mesher_->SetSymmetryPosition(options_.symmetry.place);
   mesher_->SetWaterlinePlane(options_.waterline.axis);

@@ -72,7 +72,7 @@ void check(const Options& options)
 {
   const bool isShaped = options.farField > 0 || options.size > 0 || options.sizeGrowth > 0 ||
     options.refine.isGiven() || options.symmetry.axis > 0 || options.waterline.axis > 0 ||
-    options.ground.axis > 0;
+    options.ground.axis > 0 || !options.keptInsides.empty();
   if (options.isMesh() && isShaped)
   {
     throw UsageError(
@@ -98,6 +98,7 @@ const OptionGroup& domainOptions()
       { "--symmetry-plane", [](O& o, A& a, S& name) { o.symmetry = planeOf(a, name); } },
       { "--waterline", [](O& o, A& a, S& name) { o.waterline = planeOf(a, name); } },
       { "--ground", [](O& o, A& a, S& name) { o.ground = planeOf(a, name); } },
+      { "--keep-inside", [](O& o, A& a, S& name) { o.keptInsides = valuesOf(a, name); } },
       { "--size", [](O& o, A& a, S& name) { o.size = positiveOf(a, name); } },
       { "--size-growth", [](O& o, A& a, S& name) { o.sizeGrowth = positiveOf(a, name, 1); } },
       { "--refine-box", [](O& o, A& a, S& name) { o.refine.boxes.push_back(numbersOf<7>(a, name)); } },
@@ -117,6 +118,9 @@ Domain
                         off; half models may end in it, open; patch `symmetry`
   --waterline z=V       what lies above this plane is cut off; patch `waterline`, of type symmetry
   --ground z=V          what lies below this plane is cut off, as of wheels; patch `ground`, a wall
+  --keep-inside PATCH...
+                        meshes the inside of these bodies, too (names, wildcards): a region of its own,
+                        the body's surface between them; all patches of a body together
   --size L              largest edge in the field
   --size-growth G       ratio of successive edges away from surfaces and places of refinement (1.3)
   --refine-box XMIN XMAX YMIN YMAX ZMIN ZMAX L

@@ -95,8 +95,9 @@ struct Options
   PlaneOption waterline;
   PlaneOption ground;
   std::vector<SideOption> sides;
-  double size = 0;       // 0: no limit
-  double sizeGrowth = 0; // 0: not given
+  std::vector<std::string> keptInsides; // patterns of patches
+  double size = 0;                      // 0: no limit
+  double sizeGrowth = 0;                // 0: not given
   RemeshOptions remesh;
   RefinementOptions refine;
   double swapAngle = -1;  // degrees; 0: the surface triangles are kept; negative: not given
