@@ -124,18 +124,7 @@ private:
       first[order[i]] = isSame ? first[order[i - 1]] : order[i];
       merged += isSame;
     }
-    const auto rename = [&first](auto& cells)
-    {
-      for (auto& cell : cells)
-      {
-        for (Index& v : cell)
-        {
-          v = first[v];
-        }
-      }
-    };
-    rename(mesh_.tetrahedra);
-    rename(mesh_.triangles);
+    renumberCorners(first, mesh_);
     note(merged, "point lay on another and was merged with it",
       "points lay on others and were merged with them");
   }

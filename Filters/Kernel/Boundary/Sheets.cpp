@@ -2,6 +2,7 @@
 
 #include "Boundary/SheetDivision.h"
 #include "Boundary/SheetSides.h"
+#include "Mesh/Tidying.h"
 #include "Support/Numbers.h"
 
 #include <algorithm>
@@ -215,18 +216,7 @@ void renumber(const std::vector<Index>& number, MeshData& mesh)
     }
   }
   mesh.points.swap(points);
-  const auto renumberAll = [&number](auto& cells)
-  {
-    for (auto& cell : cells)
-    {
-      for (Index& v : cell)
-      {
-        v = number[v];
-      }
-    }
-  };
-  renumberAll(mesh.tetrahedra);
-  renumberAll(mesh.triangles);
+  renumberCorners(number, mesh);
 }
 } // namespace
 

@@ -1,7 +1,8 @@
 #include "Boundary/SurfaceIntersections.h"
 
+#include "Boundary/TriangleBoxes.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 
 #include <algorithm>
@@ -11,7 +12,6 @@ namespace ransmesh
 namespace
 {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const std::array<Index, 3>*>;
 
 class PairTest
 {
@@ -94,21 +94,10 @@ private:
 
 std::vector<std::pair<Index, Index>> findIntersections(const SurfaceMesh& surface, std::size_t limit)
 {
-  std::vector<Box> boxes;
-  boxes.reserve(surface.triangles.size());
-  for (const auto& t : surface.triangles)
-  {
-    CGAL::Bbox_3 box;
-    for (const Index v : t)
-    {
-      const Vector3& p = surface.points[v];
-      box += CGAL::Bbox_3(p.x, p.y, p.z, p.x, p.y, p.z);
-    }
-    boxes.emplace_back(box, &t);
-  }
+  std::vector<TriangleBox> boxes = boxesAround(surface);
   const PairTest test(surface);
   std::vector<std::pair<Index, Index>> pairs;
-  const auto examine = [&](const Box& x, const Box& y)
+  const auto examine = [&](const TriangleBox& x, const TriangleBox& y)
   {
     const auto s = static_cast<Index>(x.handle() - surface.triangles.data());
     const auto t = static_cast<Index>(y.handle() - surface.triangles.data());

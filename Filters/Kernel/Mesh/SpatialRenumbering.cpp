@@ -1,6 +1,7 @@
 #include "Mesh/SpatialRenumbering.h"
 
 #include "Geometry/SpatialOrder.h"
+#include "Mesh/Tidying.h"
 
 #include <algorithm>
 #include <numeric>
@@ -29,18 +30,6 @@ void reorder(const std::vector<Index>& order, std::vector<Value>& values)
 }
 
 template <class Cell>
-void renumber(const std::vector<Index>& number, std::vector<Cell>& cells)
-{
-  for (Cell& cell : cells)
-  {
-    for (Index& v : cell)
-    {
-      v = number[v];
-    }
-  }
-}
-
-template <class Cell>
 std::vector<Index> orderBySmallestPoint(const std::vector<Cell>& cells)
 {
   std::vector<Index> order = counting(cells.size());
@@ -63,8 +52,7 @@ void renumberSpatially(MeshData& mesh)
     number[order[i]] = static_cast<Index>(i);
   }
   reorder(order, mesh.points);
-  renumber(number, mesh.tetrahedra);
-  renumber(number, mesh.triangles);
+  renumberCorners(number, mesh);
   reorder(orderBySmallestPoint(mesh.tetrahedra), mesh.tetrahedra);
   const std::vector<Index> triangles = orderBySmallestPoint(mesh.triangles);
   reorder(triangles, mesh.triangles);

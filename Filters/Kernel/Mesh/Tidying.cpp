@@ -24,6 +24,22 @@ void sortByPatch(MeshData& mesh)
   mesh.trianglePatch = std::move(sorted.trianglePatch);
 }
 
+void renumberCorners(const std::vector<Index>& number, MeshData& mesh)
+{
+  const auto renumber = [&number](auto& cells)
+  {
+    for (auto& cell : cells)
+    {
+      for (Index& v : cell)
+      {
+        v = number[v];
+      }
+    }
+  };
+  renumber(mesh.tetrahedra);
+  renumber(mesh.triangles);
+}
+
 void dropUnusedPoints(MeshData& mesh)
 {
   std::vector<Index> number(mesh.points.size(), None);
@@ -44,18 +60,7 @@ void dropUnusedPoints(MeshData& mesh)
     }
   }
   mesh.points.resize(used);
-  const auto renumber = [&number](auto& cells)
-  {
-    for (auto& cell : cells)
-    {
-      for (Index& v : cell)
-      {
-        v = number[v];
-      }
-    }
-  };
-  renumber(mesh.tetrahedra);
-  renumber(mesh.triangles);
+  renumberCorners(number, mesh);
 }
 
 void turnOutward(MeshData& mesh, const FaceMatching& matching)

@@ -9,6 +9,9 @@ namespace ransmesh
 // Triangles come sorted by patch number; those of one patch keep their order.
 void sortByPatch(MeshData& mesh);
 
+// Gives the corners of all cells their new numbers.
+void renumberCorners(const std::vector<Index>& number, MeshData& mesh);
+
 // Drops points that no tetrahedron uses; all triangles must be faces of tetrahedra.
 void dropUnusedPoints(MeshData& mesh);
 

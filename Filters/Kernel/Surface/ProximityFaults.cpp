@@ -1,10 +1,8 @@
 #include "Surface/ProximityFaults.h"
 
 #include "Boundary/SurfaceIntersections.h"
+#include "Boundary/TriangleBoxes.h"
 #include "Geometry/Distance.h"
-
-#include <CGAL/Bbox_3.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <limits>
@@ -14,7 +12,6 @@ namespace ransmesh
 {
 namespace
 {
-using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const std::array<Index, 3>*>;
 using Pair = std::pair<Index, Index>;
 
 constexpr std::size_t MostPairs = 1000000; // more would say no more and fill the memory
@@ -131,23 +128,6 @@ private:
   const SurfaceMesh& surface_;
   double distance_;
 };
-
-std::vector<Box> boxesAround(const SurfaceMesh& surface, double margin)
-{
-  std::vector<Box> boxes;
-  boxes.reserve(surface.triangles.size());
-  for (const auto& t : surface.triangles)
-  {
-    CGAL::Bbox_3 box;
-    for (const Index v : t)
-    {
-      const Vector3& p = surface.points[v];
-      box += CGAL::Bbox_3(p.x - margin, p.y - margin, p.z - margin, p.x + margin, p.y + margin, p.z + margin);
-    }
-    boxes.emplace_back(box, &t);
-  }
-  return boxes;
-}
 } // namespace
 
 Fault findCrossings(const SurfaceMesh& surface)
@@ -174,9 +154,9 @@ Fault findNearSheets(
 {
   Fault fault;
   fault.kind = SurfaceFault::NearSheets;
-  std::vector<Box> boxes = boxesAround(surface, distance / 2);
+  std::vector<TriangleBox> boxes = boxesAround(surface, distance / 2);
   const NearTest test(surface, distance);
-  const auto examine = [&](const Box& x, const Box& y)
+  const auto examine = [&](const TriangleBox& x, const TriangleBox& y)
   {
     const auto s = static_cast<Index>(x.handle() - surface.triangles.data());
     const auto t = static_cast<Index>(y.handle() - surface.triangles.data());

@@ -53,6 +53,24 @@ protected:
     return enriched;
   }
 
+  // Removes points from a mesh that is cut open along its sheets, and puts it together again.
+  void expectRemovalKeeps(const MeshData& before, const LayerPlan& plan)
+  {
+    MeshData mesh = before;
+    OpenedSheets opened;
+    ASSERT_TRUE(openSheets(mesh, opened).ok());
+    TetMesh built = invariants::build(mesh);
+    const RemovalResult result =
+      removePoints(built, withFrozenSheets(patches_, opened.patches), plan, {}, {});
+    ASSERT_TRUE(result.outcome.ok()) << result.outcome.message;
+    EXPECT_GT(result.removed, 100u);
+    MeshData after = toMeshData(built);
+    std::vector<Index> number;
+    const Outcome outcome = closeSheets(after, opened.patches, number);
+    ASSERT_TRUE(outcome.ok()) << outcome.message;
+    invariants::expectKept(before, after);
+  }
+
   // A fin on the floor of a box that lies along no axis, sheared.
   void makeSkewFin(double shear)
   {
@@ -176,20 +194,7 @@ TEST_F(EnrichedSheets, RemovalKeepsAFinThatStandsInTheFloorsLayers)
     mesh_ = grid_mesh::make({ 12, 12, 12 });
     grid_mesh::addSheet(mesh_,
       [height](const Vector3& p) { return isAtHalf(p.x) && p.z < height && p.y > 0.25 && p.y < 0.75; });
-    MeshData mesh = mesh_;
-    const LayerPlan plan = enrichment_checks::planFor(8, { 5, 7 }, 0.02, 5);
-    OpenedSheets opened;
-    ASSERT_TRUE(openSheets(mesh, opened).ok());
-    TetMesh built = invariants::build(mesh);
-    const RemovalResult result =
-      removePoints(built, withFrozenSheets(patches_, opened.patches), plan, {}, {});
-    ASSERT_TRUE(result.outcome.ok()) << result.outcome.message;
-    EXPECT_GT(result.removed, 100u);
-    MeshData after = toMeshData(built);
-    std::vector<Index> number;
-    const Outcome outcome = closeSheets(after, opened.patches, number);
-    ASSERT_TRUE(outcome.ok()) << outcome.message;
-    invariants::expectKept(mesh_, after);
+    expectRemovalKeeps(mesh_, enrichment_checks::planFor(8, { 5, 7 }, 0.02, 5));
   }
 }
 
@@ -202,21 +207,9 @@ TEST_F(EnrichedSheets, RemovalKeepsBothSidesAlike)
   {
     MeshData mesh = mesh_;
     grid_mesh::addSheet(mesh, [](const Vector3& p) { return std::fabs(p.z - 4.0 / 9) < 1e-9 && p.x > 0.34; });
-    const MeshData before = mesh;
     const LayerPlan plan = hasLayers ? enrichment_checks::planFor(8, { 7 }, 0.02, 5)
                                      : enrichment_checks::planFor(8, { 5 }, 0.03, 5);
-    OpenedSheets opened;
-    ASSERT_TRUE(openSheets(mesh, opened).ok());
-    TetMesh built = invariants::build(mesh);
-    const RemovalResult result =
-      removePoints(built, withFrozenSheets(patches_, opened.patches), plan, {}, {});
-    ASSERT_TRUE(result.outcome.ok()) << result.outcome.message;
-    EXPECT_GT(result.removed, 100u);
-    MeshData after = toMeshData(built);
-    std::vector<Index> number;
-    const Outcome outcome = closeSheets(after, opened.patches, number);
-    ASSERT_TRUE(outcome.ok()) << outcome.message;
-    invariants::expectKept(before, after);
+    expectRemovalKeeps(mesh, plan);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "Removal/CornerRegion.h"
 
-#include "Layers/LayerPlanning.h"
+#include "Removal/RegionPlan.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
 
@@ -14,22 +14,11 @@ namespace
 using namespace ransmesh;
 using grid_mesh::XLow;
 using grid_mesh::ZLow;
+using test::planWith;
 
 constexpr int Count = 10;            // cubes along a side
 constexpr double Size = 1.0 / Count; // of a cube
 constexpr double NoMargin = 1e-9;
-
-LayerPlan planWith(double thickness, const std::vector<int>& walls)
-{
-  LayerPlan plan(7);
-  for (const int wall : walls)
-  {
-    plan[wall].firstHeight = thickness;
-    plan[wall].numberOfLayers = 1;
-    plan[wall].isotropicFraction = 100;
-  }
-  return plan;
-}
 
 struct Found
 {

@@ -1,6 +1,6 @@
 #include "Removal/LayerRegion.h"
 
-#include "Layers/LayerPlanning.h"
+#include "Removal/RegionPlan.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
 
@@ -15,19 +15,7 @@ using grid_mesh::XLow;
 using grid_mesh::YLow;
 using grid_mesh::ZHigh;
 using grid_mesh::ZLow;
-
-// One layer of a given thickness on the walls.
-LayerPlan planWith(double thickness, const std::vector<int>& walls)
-{
-  LayerPlan plan(7);
-  for (const int wall : walls)
-  {
-    plan[wall].firstHeight = thickness;
-    plan[wall].numberOfLayers = 1;
-    plan[wall].isotropicFraction = 100;
-  }
-  return plan;
-}
+using test::planWith;
 
 struct Case
 {

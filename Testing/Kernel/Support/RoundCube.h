@@ -5,6 +5,8 @@
 #include "Boundary/SurfaceMesh.h"
 #include "Boundary/SurfaceRepair.h"
 
+#include "Bodies/CubeSide.h"
+
 #include <string>
 
 namespace ransmesh::test
@@ -15,31 +17,7 @@ inline SurfaceMesh cube(int n)
   SurfaceMesh s;
   for (int side = 0; side < 6; ++side)
   {
-    const int axis = side / 2;
-    const bool high = side % 2 != 0;
-    const auto first = static_cast<Index>(s.points.size());
-    for (int i = 0; i <= n; ++i)
-    {
-      for (int j = 0; j <= n; ++j)
-      {
-        Vector3 p;
-        p[axis] = high ? 1 : -1;
-        p[(axis + 1) % 3] = 2.0 * i / n - 1;
-        p[(axis + 2) % 3] = 2.0 * j / n - 1;
-        s.points.push_back(p);
-      }
-    }
-    for (int i = 0; i < n; ++i)
-    {
-      for (int j = 0; j < n; ++j)
-      {
-        const Index a = first + i * (n + 1) + j;
-        const Index b = a + n + 1;
-        s.triangles.push_back(high ? std::array{ a, b, b + 1 } : std::array{ a, b + 1, b });
-        s.triangles.push_back(high ? std::array{ a, b + 1, a + 1 } : std::array{ a, a + 1, b + 1 });
-      }
-    }
-    s.patch.resize(s.triangles.size(), side + 1);
+    bodies::addCubeSide(side / 2, side % 2 != 0, n, side + 1, s);
   }
   mergeEqualPoints(s);
   return s;

@@ -1,5 +1,7 @@
 #include "Bodies/BrokenBodies.h"
 
+#include "Bodies/CubeSide.h"
+
 #include "Boundary/SurfaceEdges.h"
 #include "Boundary/SurfaceRepair.h"
 
@@ -26,38 +28,15 @@ Body cube(int n = Divisions)
   Body body;
   body.farField = true;
   body.patches = { { "fluid", PatchType::Patch } };
-  SurfaceMesh& s = body.surface;
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const int side : { -1, 1 })
     {
       body.patches.push_back({ std::string(side < 0 ? "low_" : "high_") + "xyz"[axis], PatchType::Wall });
-      const auto first = static_cast<Index>(s.points.size());
-      for (int i = 0; i <= n; ++i)
-      {
-        for (int j = 0; j <= n; ++j)
-        {
-          Vector3 p;
-          p[axis] = side;
-          p[(axis + 1) % 3] = 2.0 * i / n - 1;
-          p[(axis + 2) % 3] = 2.0 * j / n - 1;
-          s.points.push_back(p);
-        }
-      }
-      for (int i = 0; i < n; ++i)
-      {
-        for (int j = 0; j < n; ++j)
-        {
-          const Index a = first + i * (n + 1) + j;
-          const Index b = a + n + 1;
-          s.triangles.push_back(side > 0 ? std::array{ a, b, b + 1 } : std::array{ a, b + 1, b });
-          s.triangles.push_back(side > 0 ? std::array{ a, b + 1, a + 1 } : std::array{ a, a + 1, b + 1 });
-        }
-      }
-      s.patch.resize(s.triangles.size(), static_cast<int>(body.patches.size()) - 1);
+      addCubeSide(axis, side > 0, n, static_cast<int>(body.patches.size()) - 1, body.surface);
     }
   }
-  ransmesh::mergeEqualPoints(s);
+  ransmesh::mergeEqualPoints(body.surface);
   return body;
 }
 
