@@ -18,8 +18,8 @@ namespace
 {
 // The attempts, from the usual to the tolerant. -Y keeps the surface's triangles; without it TetGen splits
 // wall triangles, and does not end on some good bodies (measured). -T: the tolerance of coplanarity; without it 1e-8,
-// and one sound body needs less, another more. -D1:
-// no points are inserted; the last resort where refining does not end.
+// and one sound body needs less, another more. -D1: no points are inserted; the last resort where refining does
+// not end.
 struct Variant
 {
   const char* switches;

@@ -107,8 +107,7 @@ std::string describe(const ProgramEnd& end, const WorkerLimits& limits)
   else if (end.status == worker::ExitStalled)
   {
     text = "TetGen does not come to an end with the surface, as it happens where facets lie almost in a "
-           "plane: move "
-           "or turn the surface a little, or set SurfaceEdgeLength to remesh it";
+           "plane: move or turn the surface a little, or set SurfaceEdgeLength to remesh it";
   }
   else if (end.status > worker::ExitTetGen && end.status <= worker::ExitTetGen + 10)
   {
