@@ -3,6 +3,7 @@
 #include "Boundary/SurfaceRepair.h"
 #include "Surface/Borders.h"
 #include "Surface/DiagnosisText.h"
+#include "Surface/Stitching.h"
 #include "Surface/Welding.h"
 #include "Surface/Wrapping.h"
 
@@ -49,7 +50,61 @@ bool heals(const SurfaceMesh& surface, PatchTable patches, const RepairOptions& 
   return diagnose(trial, all, silent).isSound();
 }
 
-// Tries the repairs that are not done by themselves.
+// The gaps that may be welded: rims with the same points, and rims with different ones.
+std::vector<double> weldTolerances(const SurfaceMesh& surface)
+{
+  std::vector<double> tolerances;
+  for (const double width : { widthOfGaps(surface), widthOfUnequalGaps(surface) })
+  {
+    if (width > 0)
+    {
+      tolerances.push_back(roundedUp(width));
+    }
+  }
+  std::sort(tolerances.begin(), tolerances.end());
+  return tolerances;
+}
+
+// Holes to be filled after welding.
+struct Filling
+{
+  RepairOptions options;
+  std::size_t holes = 0;
+};
+
+Filling fillingAfter(SurfaceMesh surface, PatchTable patches, const RepairOptions& welding)
+{
+  repairSurface(surface, patches, welding);
+  const std::vector<BorderLoop> borders = findBorders(surface);
+  Filling filling{ welding };
+  double size = 0;
+  for (const BorderLoop& border : borders)
+  {
+    const bool isHole = !holdEdge(welding.closedBy, border.extent.low, border.extent.high);
+    filling.holes += isHole;
+    size = std::max(size, isHole ? border.extent.largestLength() : 0);
+  }
+  filling.options.largestHole = size > 0 && borders.size() <= MostHoles ? roundedUp(size) : 0;
+  return filling;
+}
+
+std::string textOf(const RepairOptions& options, std::size_t holes)
+{
+  const std::string weld = numberText(options.weldTolerance);
+  const std::string hole = numberText(options.largestHole);
+  const std::string fill = "fill " + (holes == 1 ? "the hole" : "the " + std::to_string(holes) + " holes") +
+    ": set LargestHole to " + hole;
+  if (options.weldTolerance < 0)
+  {
+    return fill + " (ransmesh --fill-holes " + hole + ")";
+  }
+  const std::string gaps = "weld the gaps: set WeldTolerance to " + weld;
+  return options.largestHole > 0
+    ? gaps + ", and " + fill + " (ransmesh --weld " + weld + " --fill-holes " + hole + ")"
+    : gaps + " (ransmesh --weld " + weld + ")";
+}
+
+// Tries the repairs that are not done by themselves: the least of them that heals.
 std::string workingRepair(
   const SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy)
 {
@@ -57,37 +112,33 @@ std::string workingRepair(
   mergeEqualPoints(merged);
   RepairOptions options;
   options.closedBy = closedBy;
-  if (const double width = widthOfGaps(merged); width > 0)
+  std::vector<double> tolerances = weldTolerances(merged);
+  for (const double tolerance : tolerances)
   {
-    options.weldTolerance = roundedUp(width);
+    options.weldTolerance = tolerance;
     if (heals(merged, patches, options))
     {
-      return "weld the gaps: set WeldTolerance to " + numberText(options.weldTolerance) +
-        " (ransmesh --weld " + numberText(options.weldTolerance) + ")";
+      return textOf(options, 0);
     }
-    options.weldTolerance = AutomaticTolerance;
   }
-  PatchTable copy = patches;
-  repairSurface(merged, copy, {});
-  const std::vector<BorderLoop> borders = findBorders(merged);
-  for (const BorderLoop& border : borders)
+  tolerances.insert(tolerances.begin(), AutomaticTolerance);
+  std::vector<Filling> fillings;
+  for (const double tolerance : tolerances)
   {
-    const bool isHole = !holdEdge(closedBy, border.extent.low, border.extent.high);
-    options.largestHole = std::max(options.largestHole, isHole ? border.extent.largestLength() : 0);
+    options.weldTolerance = tolerance;
+    fillings.push_back(fillingAfter(surface, patches, options));
   }
-  if (borders.empty() || borders.size() > MostHoles)
+  // Smaller holes first: what is left open between two parts is no hole to be filled in each of them.
+  std::stable_sort(fillings.begin(), fillings.end(),
+    [](const Filling& f, const Filling& g) { return f.options.largestHole < g.options.largestHole; });
+  for (const Filling& filling : fillings)
   {
-    return "";
+    if (filling.options.largestHole > 0 && heals(surface, patches, filling.options))
+    {
+      return textOf(filling.options, filling.holes);
+    }
   }
-  options.largestHole = roundedUp(options.largestHole);
-  if (!heals(surface, patches, options))
-  {
-    return "";
-  }
-  const std::string holes =
-    borders.size() == 1 ? "the hole" : "the " + std::to_string(borders.size()) + " holes";
-  return "fill " + holes + ": set LargestHole to " + numberText(options.largestHole) +
-    " (ransmesh --fill-holes " + numberText(options.largestHole) + ")";
+  return "";
 }
 
 std::string wrapping(const SurfaceMesh& surface)

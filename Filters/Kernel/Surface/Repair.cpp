@@ -5,7 +5,7 @@
 #include "Surface/Folds.h"
 #include "Surface/HoleFilling.h"
 #include "Surface/ShortEdges.h"
-#include "Surface/Welding.h"
+#include "Surface/Stitching.h"
 
 #include <cstdio>
 
@@ -72,11 +72,16 @@ private:
   void weld()
   {
     const double tolerance = options_.weldTolerance < 0 ? AutomaticWeld * size_ : options_.weldTolerance;
-    const WeldReport report = weldBorders(surface_, tolerance);
-    add(report.points,
-      counted(report.points, "point", "points") + " of open edges welded to others, moved by at most " +
-        numberText(report.farthest) + ", the first at " + placeOf(report.where),
-      report.where);
+    const GapReport report = closeGaps(surface_, tolerance);
+    add(report.weld.points,
+      counted(report.weld.points, "point", "points") + " of open edges welded to others, moved by at most " +
+        numberText(report.weld.farthest) + ", the first at " + placeOf(report.weld.where),
+      report.weld.where);
+    add(report.stitch.points,
+      counted(report.stitch.points, "point", "points") +
+        " of a rim put into open edges of the other, which moved by at most " +
+        numberText(report.stitch.farthest) + ", the first at " + placeOf(report.stitch.where),
+      report.stitch.where);
   }
 
   void duplicates()

@@ -70,14 +70,6 @@ std::vector<double> shortestOpenEdges(const SurfaceMesh& surface)
   return shortest;
 }
 
-std::size_t countOpenEdges(const SurfaceMesh& surface)
-{
-  std::size_t count = 0;
-  forEachEdge(sortedEdges(surface),
-    [&count](const SurfaceEdge* first, const SurfaceEdge* last) { count += last - first == 1; });
-  return count;
-}
-
 class Welder
 {
 public:
@@ -201,19 +193,11 @@ private:
 
 WeldReport weldBorders(SurfaceMesh& surface, double tolerance)
 {
-  const std::size_t before = countOpenEdges(surface);
-  if (before == 0 || tolerance <= 0)
+  const WeldReport report = tolerance > 0 ? Welder(surface).run(tolerance) : WeldReport();
+  if (report.points > 0)
   {
-    return {};
+    mergeEqualPoints(surface); // drops the points that are not used any more
   }
-  SurfaceMesh welded = surface;
-  const WeldReport report = Welder(welded).run(tolerance);
-  if (report.points == 0 || countOpenEdges(welded) >= before)
-  {
-    return {};
-  }
-  mergeEqualPoints(welded); // drops the points that are not used any more
-  surface = std::move(welded);
   return report;
 }
 
