@@ -11,6 +11,10 @@ namespace
 {
 constexpr double ShareOfExtent = 0.1;
 constexpr double SmallestShare = 0.01;
+// Edges in a strip are longer than it is wide by this: its triangles have angles of 34 degrees and more.
+constexpr double EdgesToStrip = 1.5;
+constexpr double SmallestInStrip = 0.1; // of the edge that is wanted otherwise
+constexpr double StripAngle = 15;       // degrees: lines that meet at more than this bound no strip
 
 // The largest edge of each patch.
 std::vector<double> lengthsOfPatches(const SurfaceMesh& surface, const RemeshingOptions& options)
@@ -38,6 +42,20 @@ std::vector<double> lengthsOfPatches(const SurfaceMesh& surface, const Remeshing
     }
   }
   return lengths;
+}
+
+// Whether a line of feature edges passes w nearly in parallel to the edge a b, without touching it.
+bool runsAlong(const EditableSurface& surface, Index a, Index b, Index w)
+{
+  const std::vector<Index> next = surface.neighboursOnLines(w);
+  const auto touches = [a, b](Index n) { return n == a || n == b; };
+  const Vector3 along = surface.point(b) - surface.point(a);
+  const auto isParallel = [&](Index n)
+  {
+    const double angle = degreesBetween(along, surface.point(n) - surface.point(w));
+    return std::min(angle, 180 - angle) < StripAngle;
+  };
+  return std::none_of(next.begin(), next.end(), touches) && std::any_of(next.begin(), next.end(), isParallel);
 }
 
 // The largest absolute curvature of a tensor in the plane normal to n.
@@ -124,6 +142,27 @@ double RemeshSizes::bentLength(const EditableSurface& surface, Index v) const
   return turn > 0 ? std::max(given, length * allowed / turn) : INFINITY;
 }
 
+// Where two lines of feature edges run side by side with one triangle between them, as at blunt trailing edges.
+double RemeshSizes::stripLength(const EditableSurface& surface, Index v) const
+{
+  double width = INFINITY;
+  for (const Index t : surface.trianglesAt(v))
+  {
+    const Corners& corners = surface.triangle(t);
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index a = corners[i];
+      const Index b = corners[(i + 1) % 3];
+      if (surface.lineOf(a, b) != None && runsAlong(surface, a, b, corners[(i + 2) % 3]))
+      {
+        width = std::min(
+          width, norm(areaVector(surface.surface(), corners)) / distance(surface.point(a), surface.point(b)));
+      }
+    }
+  }
+  return EdgesToStrip * width;
+}
+
 double RemeshSizes::givenLength(const EditableSurface& surface, Index v, int patch) const
 {
   const ReferencePoint closest = reference_.closestOnPatch(surface.point(v), patch);
@@ -178,6 +217,7 @@ double RemeshSizes::wantedAt(const EditableSurface& surface, Index v, bool byCur
     const double reach = options_.edgesAcrossGap * size;
     size = std::min(size, std::max(smallest, gaps_->widthAt(surface, v, reach) / options_.edgesAcrossGap));
   }
+  size = std::min(size, std::max({ smallest, SmallestInStrip * size, stripLength(surface, v) }));
   return options_.limit ? std::min(size, options_.limit(surface.point(v))) : size;
 }
 

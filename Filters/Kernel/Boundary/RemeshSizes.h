@@ -26,6 +26,7 @@ private:
   double smallestOf(int patch) const;
   double curvedLength(const EditableSurface& surface, Index v) const;
   double bentLength(const EditableSurface& surface, Index v) const;
+  double stripLength(const EditableSurface& surface, Index v) const;
   double givenLength(const EditableSurface& surface, Index v, int patch) const;
 
   const SurfaceReference& reference_;

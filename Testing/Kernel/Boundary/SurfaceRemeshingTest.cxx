@@ -97,3 +97,37 @@ TEST(SurfaceRemeshing, KeepsEdgesWhereMoreThanTwoTrianglesMeet)
   EXPECT_NEAR(length, 4, 1e-12);
   EXPECT_GT(surface.triangles.size(), 300u);
 }
+
+// A plate of 1 x 1 x 0.02, two triangles a side.
+SurfaceMesh plate()
+{
+  SurfaceMesh plate;
+  for (int i = 0; i < 8; ++i)
+  {
+    plate.points.push_back({ i & 1 ? 1.0 : 0.0, i & 2 ? 1.0 : 0.0, i & 4 ? 0.02 : 0.0 });
+  }
+  const int sides[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 },
+    { 1, 3, 7, 5 } };
+  for (const auto& s : sides)
+  {
+    plate.triangles.push_back({ s[0], s[1], s[2] });
+    plate.triangles.push_back({ s[0], s[2], s[3] });
+  }
+  plate.patch.assign(12, 1);
+  return plate;
+}
+
+TEST(SurfaceRemeshing, FollowsTheWidthOfStrips)
+{
+  SurfaceMesh surface = plate();
+  RemeshingOptions options;
+  options.length = 0.1;
+  RemeshingReport report;
+  ASSERT_TRUE(remeshSurface(surface, options, report).ok());
+  EXPECT_GT(report.lowAngle, 20);
+  SurfaceMesh coarse = plate(); // strips too narrow to be followed
+  options.length = 1;
+  options.smallest = 1;
+  ASSERT_TRUE(remeshSurface(coarse, options, report).ok());
+  EXPECT_LT(coarse.triangles.size(), 100u);
+}
