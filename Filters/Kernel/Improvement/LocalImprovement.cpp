@@ -51,12 +51,32 @@ void LocalImprovement::forgetShapes(std::span<const Index> tets)
   }
 }
 
+namespace
+{
+// The edges (bit i for edge i) of the tetrahedron's own boundary faces.
+unsigned edgesOnBoundary(const Tetrahedron& tet)
+{
+  unsigned edges = 0;
+  for (int edge = 0; edge < 6; ++edge)
+  {
+    for (int face = 0; face < 4; ++face)
+    {
+      const bool has = EdgeCorners[edge][0] != face && EdgeCorners[edge][1] != face;
+      edges |= has && isBoundary(tet.neighbour[face]) ? 1U << edge : 0;
+    }
+  }
+  return edges;
+}
+} // namespace
+
 bool LocalImprovement::swap(Index tet, unsigned corners)
 {
   const auto mayTry = [corners](unsigned needed) { return (corners & needed) == needed; };
+  const unsigned onBoundary = edgesOnBoundary(mesh_.tet(tet));
   for (int edge = 0; edge < 6; ++edge)
   {
-    if (mayTry(1U << EdgeCorners[edge][0] | 1U << EdgeCorners[edge][1]) && swapEdge(tet, edge))
+    if ((onBoundary >> edge & 1U) == 0 && mayTry(1U << EdgeCorners[edge][0] | 1U << EdgeCorners[edge][1]) &&
+      swapEdge(tet, edge))
     {
       return true;
     }

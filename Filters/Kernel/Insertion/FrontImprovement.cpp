@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace ransmesh
 {
@@ -106,30 +107,75 @@ struct Candidate
   std::size_t triedAt; // the count of changes when it was tried in vain, or Never
 };
 
-// Swaps the tetrahedron away, or moves its corners; gives whether it is gone.
-bool improve(Index t, unsigned corners, TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
+// Tetrahedra with a common vertex after each other: what one looks at is in the cache for the next. Numbers of
+// tetrahedra made by swaps follow no place; measured on an aircraft, this stage took half as long again by them.
+void sortByPlace(const TetMesh& mesh, std::vector<Candidate>& work)
 {
-  if (improvement.swap(t, corners))
+  const auto place = [&mesh](const Candidate& c)
   {
-    changes.noteMade(improvement.made());
-    return true;
-  }
-  for (const Index v : std::array(mesh.tet(t).vertex))
+    const auto& v = mesh.tet(c.tet).vertex;
+    return std::pair(*std::min_element(v.begin(), v.end()), c.tet);
+  };
+  std::sort(
+    work.begin(), work.end(), [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
+}
+
+// Swaps away what can be; gives the poor tetrahedra that are there after it.
+std::vector<Candidate> swapAway(
+  const std::vector<Candidate>& work, const TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
+{
+  std::vector<Candidate> left;
+  const auto isPoor = [&](Index t) { return mesh.tet(t).isAlive() && improvement.shapeOf(t, Poor) < Poor; };
+  for (const auto [t, triedAt] : work)
   {
-    if (!changes.isWorthMoving(v))
+    if (!isPoor(t))
     {
       continue;
     }
-    if (improvement.move(v, Kept))
+    const unsigned corners = changes.changedCorners(t, triedAt);
+    if (corners == 0)
     {
-      changes.noteMoved(v);
+      left.push_back({ t, triedAt });
+    }
+    else if (!improvement.swap(t, corners))
+    {
+      left.push_back({ t, changes.count() });
     }
     else
     {
-      changes.noteUnmoved(v);
+      changes.noteMade(improvement.made());
+      for (const Index made : improvement.made())
+      {
+        left.push_back({ made, Changes::Never });
+      }
     }
   }
-  return false;
+  std::erase_if(left, [&](const Candidate& c) { return !isPoor(c.tet); });
+  return left;
+}
+
+// Moves the corners of the tetrahedra where there is a reason to try.
+void moveCorners(
+  const std::vector<Candidate>& work, const TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
+{
+  for (const Candidate& c : work)
+  {
+    for (const Index v : mesh.tet(c.tet).vertex)
+    {
+      if (!changes.isWorthMoving(v))
+      {
+        continue;
+      }
+      if (improvement.move(v, Kept))
+      {
+        changes.noteMoved(v);
+      }
+      else
+      {
+        changes.noteUnmoved(v);
+      }
+    }
+  }
 }
 } // namespace
 
@@ -145,31 +191,10 @@ std::size_t improveBeyondFront(
   }
   for (int pass = 0; pass < Passes && !work.empty() && !context.stopped(); ++pass)
   {
-    std::vector<Candidate> next;
-    for (const auto [t, triedAt] : work)
-    {
-      if (!mesh.tet(t).isAlive() || !(improvement.shapeOf(t, Poor) < Poor))
-      {
-        continue;
-      }
-      const unsigned corners = changes.changedCorners(t, triedAt);
-      if (corners == 0)
-      {
-        next.push_back({ t, triedAt });
-        continue;
-      }
-      const std::size_t before = changes.count();
-      if (!improve(t, corners, mesh, improvement, changes))
-      {
-        next.push_back({ t, before });
-        continue;
-      }
-      for (const Index made : improvement.made())
-      {
-        next.push_back({ made, Changes::Never });
-      }
-    }
-    work.swap(next);
+    sortByPlace(mesh, work);
+    // All swaps before all moves: each swap is a reason to try to move all vertices around again.
+    work = swapAway(work, mesh, improvement, changes);
+    moveCorners(work, mesh, improvement, changes);
   }
   return changes.count();
 }
