@@ -3,6 +3,7 @@
 // A body that fails is written to a file, and what repeats it by ransmesh-cases is printed: seeds give other bodies
 // whenever what makes them changes.
 #include "Bodies/RandomBodies.h"
+#include "Boundary/SurfaceIntersections.h"
 #include "Vtk/BodyPolyData.h"
 #include "Vtk/ChainRun.h"
 
@@ -75,10 +76,11 @@ std::string findFault(vtkPolyData* surface, const chain_run::ChainOptions& optio
     const chain_run::ChainResult result = runChain(surface, options);
     largest.byRemoval = std::max(largest.byRemoval, result.volumeChangeByRemoval);
     largest.byEnrichment = std::max(largest.byEnrichment, result.volumeChange);
-    // Round walls lose points, and get new chords, beside concave edges.
-    return !result.faults.empty() ? result.faults
-      : result.inserted == 0      ? "nothing was inserted"
-      : result.volumeChangeByRemoval >= 5e-3
+    // Round walls lose points, and get new chords, beside concave edges: the more, the coarser they are. Where no column
+    // may rise, each has its reason: walls too near, or a first height as large as the triangles.
+    return !result.faults.empty()                    ? result.faults
+      : result.inserted == 0 && result.requested > 0 ? "nothing was inserted"
+      : result.volumeChangeByRemoval >= 1e-2
       ? "removal changed the volume by " + std::to_string(result.volumeChangeByRemoval)
       : result.volumeChange >= 5e-4
       ? "enrichment changed the volume by " + std::to_string(result.volumeChange)
@@ -107,6 +109,17 @@ bool isMeshed(std::uint32_t seed, VolumeChanges& largest)
   return true;
 }
 } // namespace
+
+// Sharp edges between curved patches, where remeshing once made a surface that cut itself.
+TEST(Property, RemeshedRandomBodiesDoNotCutThemselves)
+{
+  for (const std::uint32_t seed : { 4380U, 4556U })
+  {
+    const bodies::RandomBody random = bodies::randomBody(seed);
+    EXPECT_FALSE(random.body.surface.triangles.empty());
+    EXPECT_TRUE(ransmesh::findIntersections(random.body.surface).empty()) << "seed " << seed;
+  }
+}
 
 TEST(Property, RandomBodiesGiveValidMeshes)
 {

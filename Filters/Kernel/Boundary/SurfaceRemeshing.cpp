@@ -2,6 +2,9 @@
 
 #include "Boundary/RemeshGuard.h"
 #include "Boundary/RemeshSizes.h"
+#include "Boundary/SurfaceEdges.h"
+#include "Boundary/SurfaceIntersections.h"
+#include "Boundary/SurfaceRepair.h"
 
 #include <algorithm>
 #include <queue>
@@ -29,9 +32,12 @@ constexpr double NearShare = 0.5;  // of an edge: farther points of the given su
 class Remeshing
 {
 public:
-  Remeshing(const SurfaceMesh& given, const RemeshingOptions& options, const Context& context)
+  // strictness: how much of the deviation allowed is made use of.
+  Remeshing(
+    const SurfaceMesh& given, const RemeshingOptions& options, double strictness, const Context& context)
     : surface_(given, options.featureAngle, keptPoints(given, options.keptPatches))
     , options_(options)
+    , strictness_(strictness)
     , context_(context)
     , reference_(surface_)
     , field_(reference_, options_)
@@ -134,7 +140,7 @@ private:
   double ratio(Index a, Index b) const { return lengthOf(a, b) / wantedAt(a, b); }
   double toleranceAt(Index a, Index b) const
   {
-    return options_.deviation > 0 ? options_.deviation : DeviationShare * wantedAt(a, b);
+    return strictness_ * (options_.deviation > 0 ? options_.deviation : DeviationShare * wantedAt(a, b));
   }
 
   std::size_t trianglesToCome() const
@@ -388,6 +394,7 @@ private:
 
   EditableSurface surface_;
   RemeshingOptions options_;
+  double strictness_;
   const Context& context_;
   SurfaceReference reference_;
   RemeshSizes field_;
@@ -396,16 +403,61 @@ private:
 };
 } // namespace
 
+namespace
+{
+// Where two sheets are nearer to each other than the surface may move, as by sharp edges between curved patches, they
+// may cut each other afterwards, or lie upon each other: then it is remeshed again with a quarter of the deviation
+// allowed.
+constexpr int MostAttempts = 3;
+
+// Are there two triangles with a common edge that lie upon each other, but for rounding?
+bool isFolded(const SurfaceMesh& surface)
+{
+  constexpr double upon = -1 + 1e-8; // 0.008 degrees
+  bool found = false;
+  forEachEdge(sortedEdges(surface),
+    [&](const SurfaceEdge* first, const SurfaceEdge* last)
+    {
+      const auto normal = [&surface](const SurfaceEdge* edge)
+      { return normalized(areaVector(surface, surface.triangles[edge->triangle])); };
+      found = found || (last - first == 2 && dot(normal(first), normal(first + 1)) < upon);
+    });
+  return found;
+}
+
+// Not told where there are triangles without area.
+bool cutsItself(const SurfaceMesh& surface)
+{
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (isDegenerate(surface, static_cast<Index>(t)))
+    {
+      return false;
+    }
+  }
+  return isFolded(surface) || !findIntersections(surface, 1).empty();
+}
+} // namespace
+
 Outcome remeshSurface(
   SurfaceMesh& surface, const RemeshingOptions& options, RemeshingReport& report, const Context& context)
 {
-  Remeshing remeshing(surface, options, context);
-  Outcome outcome = remeshing.run();
-  if (outcome.ok())
+  double strictness = 1;
+  for (int attempt = 0; attempt < MostAttempts; ++attempt, strictness /= 4)
   {
-    remeshing.report(report);
-    surface = remeshing.result();
+    Remeshing remeshing(surface, options, strictness, context);
+    if (Outcome outcome = remeshing.run(); !outcome.ok())
+    {
+      return outcome;
+    }
+    SurfaceMesh made = remeshing.result();
+    if (attempt + 1 == MostAttempts || !cutsItself(made))
+    {
+      remeshing.report(report);
+      surface = std::move(made);
+      break;
+    }
   }
-  return outcome;
+  return Outcome::done();
 }
 } // namespace ransmesh

@@ -125,10 +125,14 @@ void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>&
   std::sort(edges.begin(), edges.end(),
     [](const EdgeOfFace& a, const EdgeOfFace& b)
     { return std::tie(a.low, a.high, a.base) < std::tie(b.low, b.high, b.base); });
+  const auto same = [&edges](std::size_t i, std::size_t j)
+  { return j < edges.size() && edges[i].low == edges[j].low && edges[i].high == edges[j].high; };
   for (std::size_t i = 0; i + 1 < edges.size(); ++i)
   {
-    const bool same = edges[i].low == edges[i + 1].low && edges[i].high == edges[i + 1].high;
-    if (same && edges[i].base == None && edges[i + 1].base != None)
+    // Where two tops in one side have become neighbours across it, their edge has two base faces and two of the side:
+    // the stacks meet there.
+    const bool meetsSide = edges[i].base == None && edges[i + 1].base != None && same(i, i + 1);
+    if (meetsSide && !(same(i, i + 2) && edges[i + 2].base != None))
     {
       faces[edges[i + 1].base].sideOpposite[edges[i + 1].corner] = edges[i].patch;
     }
