@@ -18,10 +18,12 @@ namespace
 // More holes are no holes that somebody wants filled.
 constexpr std::size_t MostHoles = 200;
 
+constexpr double NearlyInPlane = 1e-6; // of the largest extent
+
 std::string numberText(double x)
 {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
+  std::snprintf(text, sizeof text, "%.9g", x);
   return text;
 }
 
@@ -70,6 +72,7 @@ struct Filling
 {
   RepairOptions options;
   std::size_t holes = 0;
+  std::vector<Vector3> rims;
 };
 
 Filling fillingAfter(SurfaceMesh surface, PatchTable patches, const RepairOptions& welding)
@@ -83,6 +86,10 @@ Filling fillingAfter(SurfaceMesh surface, PatchTable patches, const RepairOption
     const bool isHole = !holdEdge(welding.closedBy, border.extent.low, border.extent.high);
     filling.holes += isHole;
     size = std::max(size, isHole ? border.extent.largestLength() : 0);
+    for (const Index v : border.points)
+    {
+      filling.rims.push_back(surface.points[v]);
+    }
   }
   filling.options.largestHole = size > 0 && borders.size() <= MostHoles ? roundedUp(size) : 0;
   return filling;
@@ -102,6 +109,24 @@ std::string textOf(const RepairOptions& options, std::size_t holes)
   return options.largestHole > 0
     ? gaps + ", and " + fill + " (ransmesh --weld " + weld + " --fill-holes " + hole + ")"
     : gaps + " (ransmesh --weld " + weld + ")";
+}
+
+// Open edges that all lie in a plane across an axis may be meant: half models end so.
+std::string otherMeaning(const Filling& filling, const SurfaceMesh& surface)
+{
+  const double tolerance = NearlyInPlane * extentOf(surface.points).largestLength();
+  const Extent rims = extentOf(filling.rims);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (rims.length(axis) <= tolerance && rims.largestLength() > tolerance)
+    {
+      const std::string place = std::string(1, "xyz"[axis]) + "=" + numberText(rims.low[axis]);
+      return ". Or, if half a model ends there, or a hull at its waterline, leave it open: set SymmetryPlane "
+             "(ransmesh --symmetry-plane " +
+        place + ") or WaterlinePlane";
+    }
+  }
+  return "";
 }
 
 // Tries the repairs that are not done by themselves: the least of them that heals.
@@ -135,7 +160,7 @@ std::string workingRepair(
   {
     if (filling.options.largestHole > 0 && heals(surface, patches, filling.options))
     {
-      return textOf(filling.options, filling.holes);
+      return textOf(filling.options, filling.holes) + otherMeaning(filling, surface);
     }
   }
   return "";

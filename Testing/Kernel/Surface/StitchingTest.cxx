@@ -84,6 +84,21 @@ TEST(Stitching, IsProposedWithHolesToFill)
   EXPECT_NE(remedy.find("(ransmesh --weld "), std::string::npos) << remedy;
 }
 
+TEST(Remedy, NamesThePlaneInWhichHalfModelsEnd)
+{
+  SurfaceMesh half = cube(4);
+  std::vector<char> stays;
+  for (const int patch : half.patch)
+  {
+    stays.push_back(patch != 3);
+  }
+  keepTriangles(half, stays);
+  mergeEqualPoints(half);
+  const std::string remedy = proposeRemedy(half, sixPatches(), diagnose(half, {}, {}));
+  EXPECT_NE(remedy.find("fill the hole"), std::string::npos) << remedy;
+  EXPECT_NE(remedy.find("(ransmesh --symmetry-plane y=-1)"), std::string::npos) << remedy;
+}
+
 TEST(Stitching, LeavesAnOpenSurfaceAlone)
 {
   SurfaceMesh surface = boxWithLid(4, 7, 0.3);
