@@ -79,7 +79,8 @@ Filling fillingAfter(SurfaceMesh surface, PatchTable patches, const RepairOption
 {
   repairSurface(surface, patches, welding);
   const std::vector<BorderLoop> borders = findBorders(surface);
-  Filling filling{ welding };
+  Filling filling;
+  filling.options = welding;
   double size = 0;
   for (const BorderLoop& border : borders)
   {
