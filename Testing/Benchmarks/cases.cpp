@@ -219,6 +219,7 @@ std::string toJson(const Arguments& a, const ChainResult& r)
        << ", \"largest_angle\": " << r.largestAngle
        << ", \"largest_angle_outside\": " << r.largestAngleOutside << ", \"volume_change\": ["
        << r.volumeChangeByRemoval << ", " << r.volumeChange << "]"
+       << ", \"area_with_first_height\": " << r.areaWithFirstHeight << ", \"growth_off\": " << r.growthOff
        << ", \"copies_of_wall_faces\": " << r.copiesOfWallFaces << "}\n";
   return text.str();
 }

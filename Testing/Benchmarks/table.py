@@ -33,7 +33,8 @@ REAL = (
 REMESHED = (("hifire4_flyer.stl.gz", 0.06), ("basic_finner.stl.gz", 0.1))
 REAL_GOALS = {"inserted": 0.9999, "full": 0.98, "175": 0.002, "179": 0.0005}
 COLUMNS = ("case", "h0", "inserted of requested", "of asked", "full columns (smooth points)", "> 175° (layers)", "> 179°",
-           "wall copies", "area with h0", "valid", "left by removal", "seconds", "why columns stopped")
+           "wall copies", "area with h0",
+           "growth off at 99 %", "valid", "left by removal", "seconds", "why columns stopped")
 
 
 def built_cases(program):
@@ -91,9 +92,10 @@ def percent(value, goal=None, most=False):
 
 
 def full_columns(name, result, layers):
-    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits; with sheets,
-    of all columns."""
-    if "-gap" not in name and "-floor" not in name and not result["sheets"]:
+    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits; with sheets, and in
+    cones whose columns lie in the outlet, more than 20 degrees from the normal, of all columns."""
+    leans = name in ("cone-inside30", "cone-inside45", "cone-inside60")
+    if "-gap" not in name and "-floor" not in name and not leans and not result["sheets"]:
         return layers.get("share_of_columns_full")
     limited = ("none", "gap", "isotropic size reached")
     return share(sum(result["stop_reasons"].get(reason, 0) for reason in limited), result["columns"])
@@ -112,7 +114,8 @@ def row_of(name, result, judged, goals):
             percent(share(result["over_175"], tets), goals["175"], True),
             percent(share(result["over_179"], tets), goals["179"], True),
             percent(result["copies_of_wall_faces"]),
-            percent(layers.get("area_fraction_with_first_height")),
+            percent(result["area_with_first_height"], 0.999),
+            percent(result["growth_off"], 0.05, True),
             ("yes" if judged else "by the kernel") if valid else f"**no: {faults}**",
             f"{result['marked'] - result['removed']} of {result['marked']}",
             " + ".join(f"{s:.1f}" for s in result["seconds"]), reasons)
@@ -123,7 +126,7 @@ def run_row(args, folder, name, options, goals):
     program = subprocess.run([args.program, *options, "-o", str(mesh)], capture_output=True, text=True,
                              timeout=args.timeout, check=False)
     if not program.stdout.strip():
-        return (name, "", f"**failed: {program.stderr.strip()[:300] or program.returncode}**") + ("",) * 10
+        return (name, "", f"**failed: {program.stderr.strip()[:300] or program.returncode}**") + ("",) * 11
     result = json.loads(program.stdout)
     judged = judge(args.referee, name, mesh, result) if args.referee else {}
     if not args.keep:
@@ -151,7 +154,7 @@ def main():
             try:
                 row = run_row(args, args.keep or temporary, name, options, goals)
             except subprocess.TimeoutExpired:
-                row = (name, "", f"**not done in {args.timeout:g} s**") + ("",) * 10
+                row = (name, "", f"**not done in {args.timeout:g} s**") + ("",) * 11
             print("| " + " | ".join(row) + " |", flush=True)
 
 

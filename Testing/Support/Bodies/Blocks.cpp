@@ -127,6 +127,32 @@ Body step(double size)
   return builder.finish(false);
 }
 
+Body groove(double size)
+{
+  SurfaceBuilder builder;
+  const int floor = builder.patch("floor_wall", PatchType::Wall);
+  const int sides = builder.patch("groove_wall", PatchType::Wall);
+  const int bottom = builder.patch("strip_wall", PatchType::Wall);
+  const int lid = builder.patch("farfield", PatchType::FarField);
+  const SymmetrySides around(builder);
+  constexpr double depth = 0.2;
+  const double half = 0.3 * size; // of the width
+  addLattice(builder,
+    { { Axis({ 0, 0.5 - half, 0.5 + half, 1 }, size), Axis({ 0, 1 }, size), Axis({ -depth, 0, 0.5 }, size) },
+      [half](const Vector3& p) { return p.z > 0 || std::fabs(p.x - 0.5) < half; },
+      [&](const Vector3& p)
+      {
+        const bool ends = isNear(p.x, 0) || isNear(p.x, 1) || isNear(p.y, 0) || isNear(p.y, 1);
+        return ends             ? around.at(p)
+          : isNear(p.z, -depth) ? bottom
+          : isNear(p.z, 0.5)    ? lid
+          : isNear(p.z, 0)      ? floor
+                                : sides;
+      },
+      {} });
+  return builder.finish(false);
+}
+
 Body fins(double size)
 {
   SurfaceBuilder builder;

@@ -22,6 +22,10 @@ Body corner(double size);
 // A channel with a step down of a third of its height.
 Body step(double size);
 
+// A floor with a groove of 0.2 whose bottom is a strip narrower than an edge, between two concave edges: no point of
+// its own lies on it (the paper's figure 6).
+Body groove(double size);
+
 // Two crossed fins on a floor, below a far field. Thickness 0.05.
 Body fins(double size);
 

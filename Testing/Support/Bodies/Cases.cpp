@@ -47,8 +47,9 @@ void addSmooth(std::vector<Case>& cases)
     plain(
       "plate-noise", [](double size) { return plate(size, 0.5, 0.025); }, smooth),
     plain("sphere", sphereOfSize, smooth), plain("pipe", pipe, smooth) };
-  for (const Case& shape : shapes)
+  for (Case shape : shapes)
   {
+    shape.copiesAtEachLevel = true;
     cases.push_back(shape);
     cases.push_back(thick(shape, "-thick0.3", 0.3));
     cases.push_back(thick(shape, "-thick1", 1));
@@ -74,6 +75,17 @@ void addCavities(std::vector<Case>& cases)
     "-thick1.5", 1.5));
 }
 
+void addInsidesOfCones(std::vector<Case>& cases)
+{
+  for (const int halfAngle : { 10, 18, 30, 45, 60 })
+  {
+    const std::string name = "cone-inside" + (halfAngle == 18 ? "" : std::to_string(halfAngle));
+    cases.push_back(plain(
+      name.c_str(), [halfAngle](double size) { return insideOfCone(size, halfAngle); }, ridges));
+    cases.back().volumeChange = 2e-5;
+  }
+}
+
 void addSharp(std::vector<Case>& cases)
 {
   cases.push_back(plain(
@@ -86,11 +98,11 @@ void addSharp(std::vector<Case>& cases)
     "wing-half", [](double size) { return halfWing(size, TrailingEdge::Sharp, Tip::Flat); }, wings));
   cases.push_back(plain("corner", corner, ridges));
   cases.push_back(plain("step", step, ridges));
+  cases.push_back(plain("groove", groove, ridges));
   cases.push_back(plain("fins", fins, ridges, 0.1));
   cases.push_back(plain("cube", cube, ridges));
   cases.push_back(plain("cone", cone, ridges));
-  cases.push_back(plain("cone-inside", insideOfCone, ridges));
-  cases.back().volumeChange = 2e-5;
+  addInsidesOfCones(cases);
   cases.push_back(plain("pipe-junction", pipeJunction, junctions));
   cases.back().volumeChange = 1e-6;
   cases.push_back(plain("wing-fuselage", wingOnFuselage, junctions));

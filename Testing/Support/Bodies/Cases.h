@@ -38,7 +38,8 @@ struct Case
   double testSize = 0.12; // the same for a quick run
   double thickness = 0;   // of the layers, in edge lengths; 0: Layers as they are
   Goals goals;
-  double volumeChange = 1e-9; // how much of the fluid's volume may come or go: new chords of curved sides
+  bool copiesAtEachLevel = false; // are copies of all wall triangles to be faces at all levels?
+  double volumeChange = 1e-9;     // how much of the fluid's volume may come or go: new chords of curved sides
 
   Layers layers(double edge) const { return thickness > 0 ? layersOfThickness(thickness * edge) : Layers{}; }
 };

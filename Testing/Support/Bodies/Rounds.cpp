@@ -57,11 +57,10 @@ int sphereDivisions(double size)
   return divisions(1.15 * radiusOfSphere, size); // the edges of the icosahedron subtend 63 degrees
 }
 
-Body anyCone(double size, bool inside)
+Body anyCone(double size, bool inside, double halfAngle)
 {
   constexpr double length = 1;
-  // In the outlet of the inner one the columns lean by as much.
-  const double slope = std::tan((inside ? 18 : 20) * M_PI / 180);
+  const double slope = std::tan(halfAngle * M_PI / 180);
   SurfaceBuilder builder;
   const int side = builder.patch("cone_wall", PatchType::Wall);
   const int base =
@@ -158,11 +157,11 @@ Body pipe(double size)
 
 Body cone(double size)
 {
-  return anyCone(size, false);
+  return anyCone(size, false, 20);
 }
 
-Body insideOfCone(double size)
+Body insideOfCone(double size, double halfAngle)
 {
-  return anyCone(size, true);
+  return anyCone(size, true, halfAngle);
 }
 } // namespace bodies

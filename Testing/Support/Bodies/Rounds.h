@@ -17,8 +17,9 @@ Body pipe(double size);
 
 // A cone of half angle 20 degrees and length 1 in a far field, with a flat base.
 Body cone(double size);
-// The inside of that cone; its base is an outlet.
-Body insideOfCone(double size);
+// The inside of a cone of that length, of this half angle in degrees; its base is an outlet, in which columns lean
+// by as much.
+Body insideOfCone(double size, double halfAngle);
 
 // A ring of n edges around the x axis, closed: the last point is the first. One point, if the radius is 0.
 Row ring(double x, double radius, int n);

@@ -6,6 +6,7 @@
 #include "MeshConversion.h"
 #include "Support/DataContract.h"
 #include "Vtk/BodyPolyData.h"
+#include "Vtk/LayerMeasures.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -161,7 +162,7 @@ double volumeOf(vtkUnstructuredGrid* grid)
   return ransmesh::readMesh(grid, mesh, patches).ok() ? ransmesh::totalVolume(mesh) : 0;
 }
 
-void judge(vtkPolyData* boundary, int layers, ChainResult& result)
+void judge(vtkPolyData* boundary, const ChainOptions& options, ChainResult& result)
 {
   ransmesh::MeshData mesh;
   ransmesh::PatchTable patches;
@@ -189,7 +190,10 @@ void judge(vtkPolyData* boundary, int layers, ChainResult& result)
   result.faults = faults.none() ? "" : faults.text();
   countColumns(boundary, result);
   measureAngles(mesh, result.mesh->GetCellData()->GetArray(contract::LayerId), result);
-  countCopies(mesh, result.mesh->GetPointData()->GetArray(contract::ColumnId), layers, result);
+  vtkDataArray* column = result.mesh->GetPointData()->GetArray(contract::ColumnId);
+  countCopies(mesh, column, options.layers, result);
+  result.areaWithFirstHeight = areaWithFirstHeight(mesh, plan);
+  result.growthOff = growthOff(mesh, column, options.growth, options.layers);
 }
 } // namespace
 
@@ -228,7 +232,7 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));
   result.volumeChangeByRemoval = std::fabs(cleared - volume) / volume;
   result.volumeChange = std::fabs(volumeOf(result.mesh) - cleared) / volume;
-  judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options.layers, result);
+  judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options, result);
   return result;
 }
 } // namespace

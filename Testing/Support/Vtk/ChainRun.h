@@ -50,6 +50,8 @@ struct ChainResult
   double largestAngleOutside = 0; // in the other tetrahedra
   double copiesOfWallFaces =
     0; // share of the copies of wall triangles, at all levels asked for, that are faces
+  double areaWithFirstHeight = 0; // share of the walls' area, within a tenth of the height asked for
+  double growthOff = 0;           // of the growth rate between levels, as a share, at the 99th percentile
   // How much of the fluid's volume came or went in each stage, as a share: nothing where sides are plane.
   double volumeChangeByRemoval = 0;
   double volumeChange = 0; // by the enrichment
