@@ -12,6 +12,13 @@ int cornerOf(const BaseFace& face, Index vertex)
   return face.vertex[0] == vertex ? 0 : face.vertex[1] == vertex ? 1 : 2;
 }
 
+// Every column of a grid ends with its corner's. Where that was to be cut short, the grid would make many short
+// columns of one.
+bool isCutShort(const Column& c)
+{
+  return c.levels < c.asked && c.reason != StopReason::Refused;
+}
+
 // Beside those of the corner's own column.
 std::size_t pointsInGrid(int levels, int walls)
 {
@@ -38,9 +45,10 @@ CornerChoice::CornerChoice(const TetMesh& mesh, const ColumnSet& set, const std:
     ofColumn_[set.corners[i].column] = static_cast<Index>(i);
     // A stuck top is not where the grid would have it.
     const bool isStuck = c.levels > 0 && mesh.point(c.vertex) != set.pointAt(c, c.levels);
-    states_[i].active = c.levels > 0 && !isStuck;
-    report_.planned += c.levels > 0;
-    report_.lostPoints += isStuck ? pointsInGrid(c.levels, set.corners[i].walls) : 0;
+    const bool isPlanned = c.levels > 0 && !isCutShort(c);
+    states_[i].active = isPlanned && !isStuck;
+    report_.planned += isPlanned;
+    report_.lostPoints += isPlanned && isStuck ? pointsInGrid(c.levels, set.corners[i].walls) : 0;
   }
   findEdges();
 }

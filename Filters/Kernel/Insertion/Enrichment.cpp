@@ -37,7 +37,10 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
   {
     c.limit(caps[c.root], StopReason::Refused);
   }
-  settleDisagreements(mesh, set);
+  if (settleDisagreements(mesh, set))
+  {
+    limitBySlope(mesh, stars, set);
+  }
   return set;
 }
 

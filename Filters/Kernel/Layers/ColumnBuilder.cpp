@@ -340,8 +340,9 @@ ColumnSet buildColumns(const TetMesh& mesh, const BoundaryStars& stars, const Pa
   return ColumnMaker(mesh, stars, patches, plan, gridsOnWakes).run();
 }
 
-void settleDisagreements(const TetMesh& mesh, ColumnSet& set)
+bool settleDisagreements(const TetMesh& mesh, ColumnSet& set)
 {
+  bool dropped = false;
   for (bool changed = true; changed;)
   {
     changed = false;
@@ -366,15 +367,19 @@ void settleDisagreements(const TetMesh& mesh, ColumnSet& set)
       {
         continue;
       }
+      const bool dropSliding = slide < carry;
       for (const Index v : vertices)
       {
-        if (const Index c = set.standingAt(v); c != None)
+        const Index c = set.standingAt(v);
+        if (c != None && set.columns[c].staysIn(patch) == dropSliding)
         {
           set.columns[c].limit(0, StopReason::Corner);
         }
       }
       changed = true;
     }
+    dropped = dropped || changed;
   }
+  return dropped;
 }
 } // namespace ransmesh

@@ -32,6 +32,13 @@ std::vector<FaceGroup> wallsOf(const Vector3& point, const TetMesh& mesh, FaceRi
   return fits ? walls : std::vector<FaceGroup>{};
 }
 
+bool isUprightOn(const std::vector<Vector3>& sideNormals, const Vector3& normal)
+{
+  return std::all_of(sideNormals.begin(), sideNormals.end(),
+    [&normal](const Vector3& side)
+    { return std::fabs(dot(side, normal)) < std::sin(largestLeanAtSide * Degree); });
+}
+
 bool isPlane(const FaceRing& ring, const FaceGroup& wall, const Vector3& normal)
 {
   const auto faces = wall.of(ring);
@@ -64,7 +71,7 @@ bool findTensorCorner(const Vector3& point, const TetMesh& mesh, FaceRing& ring,
   for (int w = 0; w < corner.walls; ++w)
   {
     corner.normal[w] = weightedNormal(walls[w].of(ring));
-    if (!isPlane(ring, walls[w], corner.normal[w]))
+    if (!isPlane(ring, walls[w], corner.normal[w]) || !isUprightOn(sideNormals, corner.normal[w]))
     {
       return false;
     }

@@ -14,11 +14,14 @@
 
 namespace ransmesh
 {
-// Walls that turn so much into each other (degrees) have a grid: the fluid's angle is 120 to 40. The columns of
-// a grid are parallel to its other wall; in wider corners they would lean by more than 30 degrees, and more than
-// the single column that halves the angle.
-inline constexpr double leastTensorTurn = 59.5;
+// Walls that turn so much into each other (degrees) have a grid: the fluid's angle is 109.5 to 40. The columns of
+// a grid are parallel to its other wall; in wider corners they would lean by more than 20 degrees, and there are
+// twice as many of them as there are layers: the single column that halves the angle is better. In narrower ones
+// such columns would meet those beside them.
+inline constexpr double leastTensorTurn = 70.5;
 inline constexpr double largestTensorTurn = 140;
+// So much (degrees) a corner's walls may lean against the side that its ridge ends at: the grid leans with it.
+inline constexpr double largestLeanAtSide = 20;
 
 struct TensorCorner
 {

@@ -68,7 +68,7 @@ TEST(TensorCorners, ThreeWallsMakeACube)
 
 TEST(TensorCorners, SkewWallsHaveParallelograms)
 {
-  const auto skew = [](const Vector3& p) { return Vector3{ p.x + 0.577 * p.z, p.y, p.z }; };
+  const auto skew = [](const Vector3& p) { return Vector3{ p.x + 0.3 * p.z, p.y, p.z }; };
   const MeshData mesh = make({ 5, 5, 5, skew });
   for (const std::set<int>& walls : { std::set<int>{ XLow, ZLow }, { XHigh, ZLow }, { XLow, YLow, ZLow } })
   {
@@ -76,6 +76,35 @@ TEST(TensorCorners, SkewWallsHaveParallelograms)
     EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
     EXPECT_GT(enriched.mesh.points.size(), mesh.points.size() + enriched.report.columns * 8);
   }
+}
+
+TEST(TensorCorners, WideCornersHaveOneColumn)
+{
+  // The walls enclose 60 degrees on one side of the box and 120 on the other.
+  const auto skew = [](const Vector3& p) { return Vector3{ p.x + 0.577 * p.z, p.y, p.z }; };
+  const MeshData mesh = make({ 5, 5, 5, skew });
+  std::size_t narrow = 0;
+  for (const int wall : { XLow, XHigh })
+  {
+    const auto enriched =
+      enrichAndCheck(mesh, patches(PatchType::Symmetry), planFor(7, { wall, ZLow }, 1e-4, 8));
+    EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+    const bool hasGrid = enriched.mesh.points.size() > mesh.points.size() + enriched.report.columns * 8;
+    EXPECT_EQ(hasGrid, enriched.report.grids.made > 0);
+    narrow += hasGrid;
+  }
+  EXPECT_EQ(narrow, 1U);
+}
+
+TEST(TensorCorners, AColumnThatIsCutShortHasNoGrid)
+{
+  // Levels that the isotropic size forbids: all columns are short.
+  LayerPlan plan = planFor(7, { XLow, ZLow }, 1e-2, 12);
+  const auto enriched = enrichAndCheck(make({ 8, 8, 8 }), patches(PatchType::Symmetry), plan);
+  const auto isShort = [](const WallPoint& p) { return p.layersAchieved < p.layersAsked; };
+  ASSERT_TRUE(std::all_of(enriched.wallPoints.begin(), enriched.wallPoints.end(), isShort));
+  EXPECT_EQ(enriched.report.grids.planned, 0U);
+  EXPECT_EQ(enriched.wallPoints.size(), enriched.report.columns);
 }
 
 TEST(TensorCorners, NewPointsOfTheWallsAreReported)
