@@ -99,6 +99,7 @@ TEST_P(Cases, AreValidAndReachTheirGoals)
   const Goals goals = goalsOf(c);
   EXPECT_GE(share(result.inserted, result.requested), goals.inserted);
   EXPECT_GE(shareOfFullColumns(result), goals.fullColumns);
+  EXPECT_LE(result.marked - result.removed, std::max<vtkIdType>(2, result.marked / 1000));
   EXPECT_GE(result.areaWithFirstHeight, leastArea(c));
   EXPECT_LT(result.growthOff, 0.05);
   if (c.copiesAtEachLevel && result.requested == result.asked)

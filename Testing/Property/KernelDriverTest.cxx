@@ -34,6 +34,7 @@ TEST(KernelDriver, OrdersThatOnceFailedLeaveAValidMesh)
   // Two tops in one side become neighbours across it.
   EXPECT_EQ(driveSeed(18747), "");
   EXPECT_EQ(driveSeed(14414), "");
+  EXPECT_EQ(driveSeed(45535), "");
 }
 
 TEST(KernelDriver, AnyOrderOfOperatorsLeavesAValidMesh)
