@@ -51,7 +51,7 @@ Outcome readTets(vtkUnstructuredGrid* grid, QualityInput& input)
   return outcome;
 }
 
-// Of the layers' tetrahedra, how many are cut from wedges.
+// Of the layers' tetrahedra, how many are cut from wedges and hexahedra.
 double shareInWedges(vtkUnstructuredGrid* grid, const QualityInput& input)
 {
   std::size_t inLayers = 0;
@@ -59,7 +59,8 @@ double shareInWedges(vtkUnstructuredGrid* grid, const QualityInput& input)
   for (std::size_t t = 0; t < input.layerIds.size(); ++t)
   {
     inLayers += input.layerIds[t] > 0;
-    inWedges += input.layerIds[t] > 0 && grid->GetCellType(input.tetCell[t]) == VTK_WEDGE;
+    const int type = grid->GetCellType(input.tetCell[t]);
+    inWedges += input.layerIds[t] > 0 && (type == VTK_WEDGE || type == VTK_HEXAHEDRON);
   }
   return inLayers > 0 ? static_cast<double>(inWedges) / static_cast<double>(inLayers) : 0;
 }
@@ -77,6 +78,7 @@ Outcome readAndCut(vtkUnstructuredGrid* grid, QualityInput& input)
   prisms.tetrahedra = mixed.tetrahedra.size();
   prisms.pyramids = mixed.pyramids.size();
   prisms.wedges = mixed.wedges.size();
+  prisms.hexahedra = mixed.hexahedra.size();
   for (const Polygon& polygon : mixed.boundary)
   {
     prisms.quadrilaterals += isTriangle(polygon) ? 0 : 1;

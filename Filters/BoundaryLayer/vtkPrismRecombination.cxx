@@ -137,6 +137,7 @@ int vtkPrismRecombination::RequestData(
   output->GetFieldData()->PassData(input->GetFieldData());
   this->ShareOfLayers = result.report.shareInWedges();
   this->NumberOfWedges = static_cast<vtkIdType>(result.mesh.wedges.size());
+  this->NumberOfHexahedra = static_cast<vtkIdType>(result.mesh.hexahedra.size());
   this->NumberOfPyramids = static_cast<vtkIdType>(result.mesh.pyramids.size());
   this->NumberOfAddedPoints = static_cast<vtkIdType>(result.report.newPoints);
   this->NumberOfMovedPoints = static_cast<vtkIdType>(result.report.orthogonality.movedPoints);
@@ -149,6 +150,7 @@ void vtkPrismRecombination::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNonOrthogonality: " << this->MaximumNonOrthogonality << "\n";
   os << indent << "ShareOfLayers: " << this->ShareOfLayers << "\n";
   os << indent << "NumberOfWedges: " << this->NumberOfWedges << "\n";
+  os << indent << "NumberOfHexahedra: " << this->NumberOfHexahedra << "\n";
   os << indent << "NumberOfPyramids: " << this->NumberOfPyramids << "\n";
   os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
   os << indent << "NumberOfMovedPoints: " << this->NumberOfMovedPoints << "\n";

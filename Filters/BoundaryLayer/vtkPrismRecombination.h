@@ -5,10 +5,11 @@
  * Input: a mesh of tetrahedra and boundary triangles with the cell arrays PatchId and PrismId, as
  * vtkDirectionalEnrichment gives it, also read back from a file.
  *
- * Output: the same mesh with a wedge in place of the three tetrahedra of each prism. Where columns end in
- * different levels, or fans open, pyramids and tetrahedra fill in, so that the mesh stays conforming:
+ * Output: the same mesh with a wedge in place of the three tetrahedra of each prism, and a hexahedron in place of two
+ * such in concave corners and in fans. Where columns end in
+ * different levels, pyramids and tetrahedra fill in, so that the mesh stays conforming:
  * quadrilaterals meet quadrilaterals only, those on the boundary are VTK_QUAD cells with their PatchId. All
- * corners of all cells are positive in exact arithmetic. Cells: tetrahedra, pyramids, wedges, then the boundary
+ * corners of all cells are positive in exact arithmetic. Cells: tetrahedra, pyramids, wedges, hexahedra, then the boundary
  * sorted by patch. Cell arrays of the input are kept (a cell takes the values of one of its tetrahedra), point
  * arrays too. A few points may be added amid prisms that cannot be a wedge on all sides; they take the values
  * of a point beside them, their ColumnId is -1.
@@ -42,11 +43,12 @@ public:
 
   ///@{
   /**
-   * Of the last execution: the share of the layers' tetrahedra that became wedges, 0 to 1; the numbers of wedges
-   * and pyramids; points added; points beyond the layers that moved.
+   * Of the last execution: the share of the layers' tetrahedra that became wedges or hexahedra, 0 to 1; the numbers of
+   * wedges, hexahedra and pyramids; points added; points beyond the layers that moved.
    */
   vtkGetMacro(ShareOfLayers, double);
   vtkGetMacro(NumberOfWedges, vtkIdType);
+  vtkGetMacro(NumberOfHexahedra, vtkIdType);
   vtkGetMacro(NumberOfPyramids, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
   vtkGetMacro(NumberOfMovedPoints, vtkIdType);
@@ -65,6 +67,7 @@ private:
   double MaximumNonOrthogonality = 70;
   double ShareOfLayers = 0;
   vtkIdType NumberOfWedges = 0;
+  vtkIdType NumberOfHexahedra = 0;
   vtkIdType NumberOfPyramids = 0;
   vtkIdType NumberOfAddedPoints = 0;
   vtkIdType NumberOfMovedPoints = 0;

@@ -104,6 +104,8 @@ public:
         return add(cornersOf<5>(v), c, mesh_.pyramids, pyramidIds);
       case VTK_WEDGE:
         return add(cornersOf<6>(v), c, mesh_.wedges, wedgeIds);
+      case VTK_HEXAHEDRON:
+        return add(cornersOf<8>(v), c, mesh_.hexahedra, hexahedronIds);
       case VTK_TRIANGLE:
       {
         const auto t = cornersOf<3>(v);
@@ -114,7 +116,8 @@ public:
       default:
         return Outcome::badInput("cell " + std::to_string(c) + " is of VTK type " +
           std::to_string(grid_->GetCellType(c)) +
-          "; the mesh must hold tetrahedra, pyramids and wedges, and triangles and quadrilaterals on its "
+          "; the mesh must hold tetrahedra, pyramids, wedges and hexahedra, and triangles and quadrilaterals "
+          "on its "
           "boundary");
     }
   }
@@ -122,6 +125,7 @@ public:
   std::vector<Index> tetIds;
   std::vector<Index> pyramidIds;
   std::vector<Index> wedgeIds;
+  std::vector<Index> hexahedronIds;
 
 private:
   template <class Cells, class Cell>
@@ -156,7 +160,7 @@ bool isMixed(vtkUnstructuredGrid* grid)
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     const int type = grid->GetCellType(c);
-    if (type == VTK_PYRAMID || type == VTK_WEDGE || type == VTK_QUAD)
+    if (type == VTK_PYRAMID || type == VTK_WEDGE || type == VTK_HEXAHEDRON || type == VTK_QUAD)
     {
       return true;
     }
@@ -196,6 +200,7 @@ Outcome readMixedMesh(vtkUnstructuredGrid* grid, MixedMesh& mesh, PatchTable& pa
   cellIds = std::move(reader.tetIds);
   cellIds.insert(cellIds.end(), reader.pyramidIds.begin(), reader.pyramidIds.end());
   cellIds.insert(cellIds.end(), reader.wedgeIds.begin(), reader.wedgeIds.end());
+  cellIds.insert(cellIds.end(), reader.hexahedronIds.begin(), reader.hexahedronIds.end());
   patches = readPatches(grid->GetFieldData());
   for (const int patch : mesh.boundaryPatch)
   {
@@ -222,6 +227,7 @@ void writeMixedMesh(const MixedMesh& mesh, const PatchTable& patches, vtkUnstruc
   cells.addVolume(VTK_TETRA, mesh.tetrahedra);
   cells.addVolume(VTK_PYRAMID, mesh.pyramids);
   cells.addVolume(VTK_WEDGE, mesh.wedges);
+  cells.addVolume(VTK_HEXAHEDRON, mesh.hexahedra);
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     const Polygon& v = mesh.boundary[i];

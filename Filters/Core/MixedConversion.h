@@ -1,4 +1,4 @@
-// Between vtkUnstructuredGrid and the kernel's meshes of tetrahedra, pyramids and wedges.
+// Between vtkUnstructuredGrid and the kernel's meshes of tetrahedra, pyramids, wedges and hexahedra.
 #ifndef MixedConversion_h
 #define MixedConversion_h
 
@@ -18,7 +18,7 @@ namespace ransmesh
 RANSMESHINGCORE_EXPORT bool isMixed(vtkUnstructuredGrid* grid);
 
 // Reads points, cells, boundary and patches, as they are turned. cellIds and boundaryIds receive the grid's numbers
-// of the mesh's cells (tetrahedra, pyramids, wedges) and boundary polygons. BadInput for a grid with other cells,
+// of the mesh's cells (tetrahedra, pyramids, wedges, hexahedra) and boundary polygons. BadInput for a grid with other cells,
 // or without an integer PatchId array.
 RANSMESHINGCORE_EXPORT Outcome readMixedMesh(vtkUnstructuredGrid* grid, MixedMesh& mesh, PatchTable& patches,
   std::vector<Index>& cellIds, std::vector<Index>& boundaryIds);

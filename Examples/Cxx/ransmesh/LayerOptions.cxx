@@ -53,7 +53,8 @@ Layers
   --thickness T         thickness of all layers; their number follows
   --walls PATTERN...    the viscous walls by patch name, * and ? allowed (every patch that is
                         not a side of a box); goes on to the next option
-  --prisms              layers of prisms (wedges, and pyramids where they end) instead of tetrahedra
+  --prisms              layers of prisms (wedges, hexahedra in corners, pyramids where they end)
+                        instead of tetrahedra
   --isotropic-only      stop after the first stage: no layers
 )"
   };

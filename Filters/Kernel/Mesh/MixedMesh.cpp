@@ -41,6 +41,19 @@ void cut(const Wedge& v, Index cell, SplitMesh& result)
   add({ other(0), other(1), other(2), own(0) }, cell, result);
   cut(Pyramid{ own(1), own(2), other(2), other(1), own(0) }, cell, result);
 }
+
+// Pyramids upon the three faces that do not hold the lowest point.
+void cut(const Hexahedron& v, Index cell, SplitMesh& result)
+{
+  const Index lowest = *std::min_element(v.begin(), v.end());
+  for (const Polygon& face : facesOf(v))
+  {
+    if (std::find(face.begin(), face.end(), lowest) == face.end())
+    {
+      cut(Pyramid{ face[3], face[2], face[1], face[0], lowest }, cell, result);
+    }
+  }
+}
 } // namespace
 
 bool isSound(const Pyramid& v, const std::vector<Vector3>& p)
@@ -81,6 +94,21 @@ bool isSound(const Wedge& v, const std::vector<Vector3>& p)
   return true;
 }
 
+bool isSound(const Hexahedron& v, const std::vector<Vector3>& p)
+{
+  const auto faces = facesOf(v);
+  return std::all_of(v.begin(), v.end(),
+    [&](Index tip)
+    {
+      return std::all_of(faces.begin(), faces.end(),
+        [&](const Polygon& face)
+        {
+          return std::find(face.begin(), face.end(), tip) != face.end() ||
+            isSound(Pyramid{ face[3], face[2], face[1], face[0], tip }, p);
+        });
+    });
+}
+
 SplitMesh splitIntoTets(const MixedMesh& mixed)
 {
   SplitMesh result;
@@ -97,6 +125,10 @@ SplitMesh splitIntoTets(const MixedMesh& mixed)
   for (const Wedge& wedge : mixed.wedges)
   {
     cut(wedge, cell++, result);
+  }
+  for (const Hexahedron& hexahedron : mixed.hexahedra)
+  {
+    cut(hexahedron, cell++, result);
   }
   const auto addTriangle = [&](Index a, Index b, Index c, std::size_t polygon)
   {

@@ -52,12 +52,13 @@ void addUses(const Cells& cells, Index first, std::vector<FaceUse>& uses)
 std::vector<FaceUse> collectUses(const MixedMesh& mesh)
 {
   std::vector<FaceUse> uses;
-  uses.reserve(
-    4 * mesh.tetrahedra.size() + 5 * (mesh.pyramids.size() + mesh.wedges.size()) + mesh.boundary.size());
+  uses.reserve(4 * mesh.tetrahedra.size() + 5 * (mesh.pyramids.size() + mesh.wedges.size()) +
+    6 * mesh.hexahedra.size() + mesh.boundary.size());
   const auto tets = static_cast<Index>(mesh.tetrahedra.size());
   addUses(mesh.tetrahedra, 0, uses);
   addUses(mesh.pyramids, tets, uses);
   addUses(mesh.wedges, tets + static_cast<Index>(mesh.pyramids.size()), uses);
+  addUses(mesh.hexahedra, tets + static_cast<Index>(mesh.pyramids.size() + mesh.wedges.size()), uses);
   for (std::size_t i = 0; i < mesh.boundary.size(); ++i)
   {
     uses.push_back(makeUse(mesh.boundary[i], NoCell, static_cast<Index>(i)));
@@ -190,6 +191,9 @@ void checkShapes(const MixedMesh& mesh, MixedFaults& faults)
   checkCells(
     mesh.wedges, tets + static_cast<Index>(mesh.pyramids.size()),
     [&p](const Wedge& v) { return isSound(v, p); }, faults);
+  checkCells(
+    mesh.hexahedra, tets + static_cast<Index>(mesh.pyramids.size() + mesh.wedges.size()),
+    [&p](const Hexahedron& v) { return isSound(v, p); }, faults);
 }
 } // namespace
 
@@ -225,7 +229,7 @@ MixedFaults findFaults(const MixedMesh& mesh)
   const std::size_t points = mesh.points.size();
   faults.indicesOutOfRange = countOutOfRange(mesh.tetrahedra, points) +
     countOutOfRange(mesh.pyramids, points) + countOutOfRange(mesh.wedges, points) +
-    countOutOfRange(mesh.boundary, points, true);
+    countOutOfRange(mesh.hexahedra, points) + countOutOfRange(mesh.boundary, points, true);
   faults.pointsNotFinite = static_cast<std::size_t>(
     std::count_if(mesh.points.begin(), mesh.points.end(), [](const Vector3& x) { return !isFinite(x); }));
   if (faults.indicesOutOfRange || faults.pointsNotFinite)

@@ -11,7 +11,7 @@ struct MixedFaults
 {
   std::size_t indicesOutOfRange = 0;
   std::size_t pointsNotFinite = 0;
-  std::size_t cellsNotSound = 0; // tetrahedra not positive, pyramids and wedges not sound (Mesh/MixedMesh.h)
+  std::size_t cellsNotSound = 0; // tetrahedra not positive, others not sound (Mesh/MixedMesh.h)
   // A quadrilateral that meets two triangles counts as all three.
   std::size_t facesAlone = 0;       // of one cell, and no boundary polygon covers them
   std::size_t facesOfMoreCells = 0; // than two

@@ -76,7 +76,7 @@ private:
 
   void addGroup(const Index* tets, int count)
   {
-    if (count < 2 || count > 3)
+    if (count < 2 || (count > 3 && count != PrismGroup::Most))
     {
       return; // a single tetrahedron stays what it is
     }
@@ -205,7 +205,7 @@ private:
     return dot(m, n) > LeastFlatness * norm(m) * norm(n);
   }
 
-  // Less than three quadrilaterals so far, and none with the same faces?
+  // Less quadrilaterals so far than there can be, and none with the same faces?
   bool hasRoom(const LateralQuad& quad, int side) const
   {
     if (quad.group[side] == None)
@@ -220,7 +220,8 @@ private:
       return std::find_first_of(half.begin(), half.end(), quad.half[side].begin(), quad.half[side].end()) !=
         half.end();
     };
-    return group.quads < 3 && std::none_of(group.quad.begin(), group.quad.begin() + group.quads, overlaps);
+    return group.quads < group.mostQuads() &&
+      std::none_of(group.quad.begin(), group.quad.begin() + group.quads, overlaps);
   }
 
   void add(const LateralQuad& quad)

@@ -22,13 +22,17 @@ struct LateralQuad
   int sideOf(Index g) const { return group[0] == g ? 0 : 1; }
 };
 
-// Two or three tetrahedra of one prism.
+// Two or three tetrahedra of one prism, or the six of two that go together (Prisms/PrismJoints.h).
 struct PrismGroup
 {
-  std::array<Index, 3> tet{ None, None, None };
+  static constexpr int Most = 6;
+
+  std::array<Index, Most> tet{};
   int size = 0;
-  std::array<Index, 3> quad{ None, None, None };
+  std::array<Index, Most> quad{};
   int quads = 0;
+
+  int mostQuads() const { return size == Most ? Most : 3; }
 };
 
 struct PrismGroups

@@ -143,6 +143,51 @@ std::optional<Wedge> PrismShapes::wedgeOf(Index group) const
                                                                            : std::nullopt;
 }
 
+// The one point that the quadrilaterals join to a corner of the base, beside those of the base; or None.
+Index PrismShapes::beside(
+  Index point, const std::vector<Index>& quads, const std::array<Index, 4>& base) const
+{
+  Index found = None;
+  for (const Index quad : quads)
+  {
+    const auto& c = groups_.quads[quad].corner;
+    const auto at = std::find(c.begin(), c.end(), point) - c.begin();
+    for (const auto step : { 1, 3 })
+    {
+      const Index next = at < 4 ? c[(at + step) % 4] : None;
+      const bool isNew =
+        next != None && next != found && std::find(base.begin(), base.end(), next) == base.end();
+      if (isNew && found != None)
+      {
+        return None;
+      }
+      found = isNew ? next : found;
+    }
+  }
+  return found;
+}
+
+std::optional<Hexahedron> PrismShapes::hexahedronOf(Index group) const
+{
+  const std::vector<Index> quads = keptQuads(group);
+  if (quads.size() != 6 || pointsOf(group).size() != 8)
+  {
+    return std::nullopt;
+  }
+  const std::array<Index, 4> base = cornersOf(group, quads[0]); // turned into the group
+  Hexahedron cell;
+  for (int i = 0; i < 4; ++i)
+  {
+    cell[i] = base[i];
+    cell[i + 4] = beside(base[i], quads, base);
+  }
+  Hexahedron sorted = cell;
+  std::sort(sorted.begin(), sorted.end());
+  const bool areDifferent = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+  return areDifferent && sorted[0] != None && isSound(cell, mesh_.points) ? std::optional(cell)
+                                                                          : std::nullopt;
+}
+
 std::vector<Index> PrismShapes::pointsOf(Index group) const
 {
   const PrismGroup& g = groups_.groups[group];
@@ -244,6 +289,11 @@ std::optional<PrismCells> PrismShapes::make(Index group) const
       cells.wedges.push_back(*wedge);
       return cells;
     }
+  }
+  if (const auto hexahedron = hexahedronOf(group))
+  {
+    cells.hexahedra.push_back(*hexahedron);
+    return cells;
   }
   if (quads.size() > 1 || (quads.size() == 1 && !isPyramid(group, quads[0])))
   {

@@ -16,6 +16,7 @@ struct PrismCells
   std::vector<std::array<Index, 4>> tetrahedra;
   std::vector<Pyramid> pyramids;
   std::vector<Wedge> wedges;
+  std::vector<Hexahedron> hexahedra;
   bool hasNewPoint = false;
   Vector3 newPoint;
 };
@@ -31,7 +32,7 @@ public:
 
   // Cells with exactly the kept quadrilaterals, or nothing if there are none that are sound. Without one: the
   // tetrahedra as they are. One: a pyramid upon it where two of the tetrahedra make it. Three that go around the
-  // prism: a wedge. Else, from a new point within, where angles are best: a pyramid upon each, tetrahedra upon all
+  // prism: a wedge. Six: a hexahedron. Else, from a new point within, where angles are best: a pyramid upon each, tetrahedra upon all
   // other faces.
   std::optional<PrismCells> make(Index group) const;
 
@@ -41,6 +42,8 @@ public:
 private:
   std::optional<Pyramid> pyramidOf(Index group, Index quad) const;
   std::optional<Wedge> wedgeOf(Index group) const;
+  std::optional<Hexahedron> hexahedronOf(Index group) const;
+  Index beside(Index point, const std::vector<Index>& quads, const std::array<Index, 4>& base) const;
   std::optional<PrismCells> fromNewPoint(Index group) const;
   std::vector<Index> pointsOf(Index group) const;
   std::vector<Vector3> placesWithin(Index group) const;

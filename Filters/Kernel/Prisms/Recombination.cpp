@@ -2,6 +2,7 @@
 
 #include "Mesh/FaceMatching.h"
 #include "Prisms/PrismGroups.h"
+#include "Prisms/PrismJoints.h"
 #include "Prisms/PrismShapes.h"
 #include "Prisms/QuadChoice.h"
 
@@ -38,7 +39,9 @@ public:
     addCells(cells.tetrahedra, newNumber, group.tet[0], result_.mesh.tetrahedra, result_.cellOrigin);
     addCells(cells.pyramids, newNumber, group.tet[0], result_.mesh.pyramids, pyramidOrigin_);
     addCells(cells.wedges, newNumber, group.tet[0], result_.mesh.wedges, wedgeOrigin_);
-    result_.report.tetsInWedges += cells.wedges.empty() ? 0 : static_cast<std::size_t>(group.size);
+    addCells(cells.hexahedra, newNumber, group.tet[0], result_.mesh.hexahedra, hexahedronOrigin_);
+    result_.report.tetsInWedges +=
+      cells.wedges.empty() && cells.hexahedra.empty() ? 0 : static_cast<std::size_t>(group.size);
   }
 
   void finish()
@@ -46,6 +49,7 @@ public:
     auto& origin = result_.cellOrigin;
     origin.insert(origin.end(), pyramidOrigin_.begin(), pyramidOrigin_.end());
     origin.insert(origin.end(), wedgeOrigin_.begin(), wedgeOrigin_.end());
+    origin.insert(origin.end(), hexahedronOrigin_.begin(), hexahedronOrigin_.end());
   }
 
 private:
@@ -63,6 +67,7 @@ private:
   RecombinedMesh& result_;
   std::vector<Index> pyramidOrigin_;
   std::vector<Index> wedgeOrigin_;
+  std::vector<Index> hexahedronOrigin_;
 };
 
 void addBoundary(const MeshData& mesh, const PrismGroups& groups, RecombinedMesh& result)
@@ -112,11 +117,12 @@ Outcome recombinePrisms(const MeshData& given, const std::vector<Index>& prism,
   {
     return Outcome::cancelled();
   }
+  const std::vector<Index> joined = joinPrisms(mesh, matching, prism);
   if (maximumNonOrthogonality < 90)
   {
-    result.report.orthogonality = improveOrthogonality(mesh, matching, prism, maximumNonOrthogonality);
+    result.report.orthogonality = improveOrthogonality(mesh, matching, joined, maximumNonOrthogonality);
   }
-  PrismGroups groups = findPrismGroups(mesh, matching, prism);
+  PrismGroups groups = findPrismGroups(mesh, matching, joined);
   chooseQuads(mesh, groups);
   context.report(0.7, "recombination");
   if (context.stopped())

@@ -1,4 +1,5 @@
-// Wedges from the tetrahedra of each prism, with pyramids and tetrahedra where they end, so that the mesh stays
+// Wedges from the tetrahedra of each prism, hexahedra from those of two that go together (Prisms/PrismJoints.h), with
+// pyramids and tetrahedra where they end, so that the mesh stays
 // conforming: quadrilaterals meet quadrilaterals only.
 #pragma once
 
@@ -14,8 +15,8 @@ namespace ransmesh
 struct RecombinationReport
 {
   std::size_t prismTets = 0;    // that the mesh had in prisms
-  std::size_t tetsInWedges = 0; // of these, that became wedges
-  std::size_t newPoints = 0;    // amid prisms that are a wedge on some sides and tetrahedra on others
+  std::size_t tetsInWedges = 0; // of these, that became wedges and hexahedra
+  std::size_t newPoints = 0;    // amid prisms that have quadrilaterals on some sides and triangles on others
 
   OrthogonalityReport orthogonality;
 

@@ -96,8 +96,9 @@ struct PrismSummary
   std::size_t tetrahedra = 0;
   std::size_t pyramids = 0;
   std::size_t wedges = 0;
+  std::size_t hexahedra = 0;
   std::size_t quadrilaterals = 0; // of the boundary
-  double shareOfLayers = 0;       // of the layers' tetrahedra: cut from wedges
+  double shareOfLayers = 0;       // of the layers' tetrahedra: cut from wedges and hexahedra
   std::string faults;             // what the cut hides; empty: nothing
 };
 

@@ -142,6 +142,7 @@ void writePrisms(JsonWriter& json, const std::optional<PrismSummary>& prisms)
   json.name("Tetrahedra").value(prisms->tetrahedra);
   json.name("Pyramids").value(prisms->pyramids);
   json.name("Wedges").value(prisms->wedges);
+  json.name("Hexahedra").value(prisms->hexahedra);
   json.name("BoundaryQuadrilaterals").value(prisms->quadrilaterals);
   json.name("ShareOfLayers").value(prisms->shareOfLayers);
   json.name("Faults").value(prisms->faults);

@@ -112,6 +112,7 @@ std::vector<ReportRow> reportRows(const QualityReport& report)
   {
     rows.add("Pyramids", report.prisms->pyramids, "cells");
     rows.add("Wedges", report.prisms->wedges, "cells");
+    rows.add("Hexahedra", report.prisms->hexahedra, "cells");
     rows.add("ShareOfLayersInWedges", report.prisms->shareOfLayers, "1");
   }
   rows.add("Points", report.points, "points");

@@ -81,10 +81,11 @@ std::string prismText(const QualityReport& report)
     return "";
   }
   const PrismSummary& prisms = *report.prisms;
+  const std::string hexahedra = prisms.hexahedra > 0 ? format(", %zu hexahedra", prisms.hexahedra) : "";
   return format(
-           "  %zu tetrahedra, %zu pyramids, %zu wedges (%s of the layers), %zu boundary quadrilaterals;\n",
-           prisms.tetrahedra, prisms.pyramids, prisms.wedges, percent(prisms.shareOfLayers).c_str(),
-           prisms.quadrilaterals) +
+           "  %zu tetrahedra, %zu pyramids, %zu wedges%s (%s of the layers), %zu boundary quadrilaterals;\n",
+           prisms.tetrahedra, prisms.pyramids, prisms.wedges, hexahedra.c_str(),
+           percent(prisms.shareOfLayers).c_str(), prisms.quadrilaterals) +
     "  all below: of the tetrahedra that they are cut into\n";
 }
 

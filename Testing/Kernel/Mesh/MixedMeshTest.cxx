@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 
 namespace
 {
@@ -48,6 +49,7 @@ MixedMesh renumbered(const MixedMesh& mesh, const std::vector<Index>& number)
   apply(result.tetrahedra);
   apply(result.pyramids);
   apply(result.wedges);
+  apply(result.hexahedra);
   apply(result.boundary);
   return result;
 }
@@ -74,6 +76,33 @@ TEST(MixedMesh, EveryCutGivesTheSameVolumeInPositiveTetrahedra)
     ASSERT_EQ(split.polygon.size(), split.mesh.triangles.size());
     ASSERT_NEAR(totalVolume(split.mesh), 0.5 + 1.0 / 3 + 1.0 / 6, 1e-12);
   } while (std::next_permutation(number.begin(), number.begin() + 6));
+}
+
+TEST(MixedMesh, EveryCutOfAHexahedronGivesItsVolume)
+{
+  MixedMesh mesh; // a cube, and a wedge beside it
+  mesh.points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
+    { 0, 1, 1 }, { 2, 0, 0 }, { 2, 1, 0 } };
+  mesh.hexahedra.push_back({ 0, 1, 2, 3, 4, 5, 6, 7 });
+  mesh.wedges.push_back({ 1, 8, 5, 2, 9, 6 });
+  mesh.boundary = { { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 },
+    { 1, 8, 5, None }, { 2, 6, 9, None }, { 1, 2, 9, 8 }, { 8, 9, 6, 5 } };
+  mesh.boundaryPatch.assign(mesh.boundary.size(), 1);
+  EXPECT_TRUE(findFaults(mesh).none()) << findFaults(mesh).text();
+  std::vector<Index> number(mesh.points.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::mt19937 random(1);
+  for (int i = 0; i < 500; ++i)
+  {
+    const SplitMesh split = splitIntoTets(renumbered(mesh, number));
+    const MeshFaults faults = findFaults(split.mesh);
+    ASSERT_TRUE(faults.none()) << faults.text();
+    ASSERT_NEAR(totalVolume(split.mesh), 1.5, 1e-12);
+    std::shuffle(number.begin(), number.end(), random);
+  }
+  mesh.points[7] = { 0.6, 0.4, 0.4 }; // the corner comes through the opposite edge
+  EXPECT_FALSE(isSound(mesh.hexahedra[0], mesh.points));
+  EXPECT_EQ(findFaults(mesh).cellsNotSound, 1U);
 }
 
 TEST(MixedMesh, AnInvertedCornerIsNotSound)

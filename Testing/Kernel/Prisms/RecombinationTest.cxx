@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <random>
 
 namespace
@@ -56,6 +58,28 @@ RecombinedMesh recombine(const Subject& subject)
   return result;
 }
 
+// In the uppermost layer of cubes, prisms along x instead, cut by the diagonal of the cubes' sides; the lower ones have
+// two numbers.
+Subject withPrismsLyingAbove()
+{
+  Subject subject = makeSubject();
+  const auto& p = subject.mesh.points;
+  std::map<Index, int> tetsOf;
+  for (std::size_t t = 0; t < subject.prism.size(); ++t)
+  {
+    const auto& tet = subject.mesh.tetrahedra[t];
+    const Vector3 middle = (static_cast<double>(Cells) / 4) * (p[tet[0]] + p[tet[1]] + p[tet[2]] + p[tet[3]]);
+    if (middle.z > Cells - 1)
+    {
+      const Index cube = static_cast<Index>(middle.y) * Cells + static_cast<Index>(middle.x);
+      const bool isLower = middle.y - std::floor(middle.y) > middle.z - std::floor(middle.z);
+      const bool isFirst = isLower && tetsOf[cube]++ == 0;
+      subject.prism[t] = 1000 + 3 * cube + (isLower ? isFirst ? 2 : 1 : 0);
+    }
+  }
+  return subject;
+}
+
 double volumeOf(const RecombinedMesh& result)
 {
   const SplitMesh split = splitIntoTets(result.mesh);
@@ -70,6 +94,33 @@ std::size_t countQuads(const MixedMesh& mesh)
     mesh.boundary.begin(), mesh.boundary.end(), [](const Polygon& polygon) { return !isTriangle(polygon); }));
 }
 } // namespace
+
+TEST(Recombination, PrismsBelowLyingOnesBecomeHexahedra)
+{
+  const RecombinedMesh result = recombine(withPrismsLyingAbove());
+  EXPECT_EQ(result.mesh.hexahedra.size(), 1U * Cells * Cells * (Cells - 1));
+  EXPECT_EQ(result.mesh.wedges.size(), 2U * Cells * Cells);
+  EXPECT_TRUE(result.mesh.tetrahedra.empty());
+  EXPECT_TRUE(result.mesh.pyramids.empty());
+  EXPECT_EQ(result.report.shareInWedges(), 1);
+  EXPECT_NEAR(volumeOf(result), 1, 1e-12);
+}
+
+TEST(Recombination, HalvesStayWhereThePairsBelowCannotAllBeHexahedra)
+{
+  Subject subject = withPrismsLyingAbove();
+  for (std::size_t t = 0; t < subject.prism.size(); ++t)
+  {
+    const auto& tet = subject.mesh.tetrahedra[t];
+    const bool isLowest =
+      std::any_of(tet.begin(), tet.end(), [&](Index v) { return subject.mesh.points[v].z == 0; });
+    subject.prism[t] = isLowest ? None : subject.prism[t];
+  }
+  const RecombinedMesh result = recombine(subject);
+  EXPECT_TRUE(result.mesh.hexahedra.empty());
+  EXPECT_GE(result.mesh.wedges.size(), 2U * Cells * Cells * (Cells - 3));
+  EXPECT_NEAR(volumeOf(result), 1, 1e-12);
+}
 
 TEST(Recombination, AllOfAGridBecomesWedges)
 {
