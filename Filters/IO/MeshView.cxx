@@ -298,9 +298,14 @@ Outcome MeshView::readRegions(vtkUnstructuredGrid* grid)
 {
   const CellNumbers numbers(grid, contract::RegionId);
   std::map<int, Region> found;
+  int last = -1; // cells of one region mostly follow one another
+  Region* region = nullptr;
   for (vtkIdType i = 0; numbers.present() && i < cellCount_; ++i)
   {
-    ++found[numbers.at(gridCell(i))].cells[static_cast<int>(kindOfCell(i))];
+    const int id = numbers.at(gridCell(i));
+    region = id == last ? region : &found[id];
+    last = id;
+    ++region->cells[static_cast<int>(kindOfCell(i))];
   }
   if (found.size() > std::numeric_limits<std::uint16_t>::max())
   {
@@ -315,12 +320,12 @@ Outcome MeshView::readRegions(vtkUnstructuredGrid* grid)
     return Outcome::done();
   }
   std::map<int, std::uint16_t> placeOf;
-  for (auto& [id, region] : found)
+  for (auto& [id, one] : found)
   {
-    region.id = id;
-    region.name = regionName(grid->GetFieldData(), id, fluidName_);
+    one.id = id;
+    one.name = regionName(grid->GetFieldData(), id, fluidName_);
     placeOf[id] = static_cast<std::uint16_t>(regions_.size());
-    regions_.push_back(std::move(region));
+    regions_.push_back(std::move(one));
   }
   cellRegions_.reserve(cellCount_);
   for (vtkIdType i = 0; i < cellCount_; ++i)

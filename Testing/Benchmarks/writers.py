@@ -33,7 +33,9 @@ def read_mesh(path):
     read, mesh = reader.GetOutput(), vtkUnstructuredGrid()
     mesh.SetPoints(read.GetPoints())
     mesh.SetCells(read.GetCellTypesArray(), read.GetCells())
-    mesh.GetCellData().AddArray(read.GetCellData().GetArray("PatchId"))
+    for name in ("PatchId", "RegionId"):
+        if read.GetCellData().HasArray(name):
+            mesh.GetCellData().AddArray(read.GetCellData().GetArray(name))
     mesh.SetFieldData(read.GetFieldData())
     return mesh
 
