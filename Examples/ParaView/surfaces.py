@@ -45,7 +45,7 @@ def show(view, source, color, opacity=1.0, edges=True):
     display.Representation = "Surface With Edges" if edges else "Surface"
     display.ColorArrayName = ["CELLS", ""]
     display.AmbientColor = display.DiffuseColor = color
-    display.EdgeColor = [0.6 * c for c in color]
+    display.EdgeColor = [0.35 * c for c in color]
     display.Opacity = opacity
     return display
 

@@ -50,6 +50,17 @@ Outcome accept(const SurfaceVerdict& verdict, const SurfaceMesh& surface, Mesher
   return verdict.outcome;
 }
 
+Outcome attach(const SurfaceMesh& sheets, const std::optional<Extent>& box, const PatchTable& patches,
+  SurfaceMesh& surface, MesherReport& report)
+{
+  if (sheets.triangles.empty())
+  {
+    return Outcome::done();
+  }
+  const SurfaceVerdict verdict = attachSheets(surface, sheets, patches, box);
+  return accept(verdict, surface, report);
+}
+
 using Planes = std::vector<DomainPlane>;
 
 Outcome cutSurface(Planes& planes, SurfaceInput& input)
@@ -84,6 +95,24 @@ void splitPatches(const MesherSettings& settings, SurfaceInput& input)
   }
 }
 
+// Surfaces and sheets hang together while they are remeshed, so that they share their points afterwards.
+Outcome remeshTogether(
+  const RemeshingOptions& options, SurfaceInput& input, SurfaceMesh& whole, RemeshingReport& made)
+{
+  if (Outcome outcome = remeshSurface(whole, options, made); !outcome.ok())
+  {
+    return outcome;
+  }
+  std::vector<char> isClosed = input.isSheet;
+  for (char& flag : isClosed)
+  {
+    flag = flag == 0;
+  }
+  input.surface = withoutSheets(whole, input.isSheet);
+  input.sheets = withoutSheets(whole, isClosed);
+  return Outcome::done();
+}
+
 Outcome remesh(
   const MesherSettings& settings, const Planes& planes, SurfaceInput& input, MesherReport& report)
 {
@@ -91,19 +120,27 @@ Outcome remesh(
   {
     return Outcome::done();
   }
+  SurfaceMesh whole = input.surface;
+  input.isSheet.resize(input.patches.size(), 0);
+  if (Outcome outcome = attach(input.sheets, std::nullopt, input.patches, whole, report); !outcome.ok())
+  {
+    return outcome;
+  }
   RemeshingOptions options;
   RemeshingReport made;
   PatchTable typed = input.patches;
   setTypes(settings.typeOfPattern, typed); // patches of type interface are kept
-  if (Outcome outcome = remeshingOptions(settings.sizing, typed, input.surface, options); !outcome.ok())
+  if (Outcome outcome = remeshingOptions(settings.sizing, typed, whole, options); !outcome.ok())
   {
     return outcome;
   }
   options.limit = [&settings](const Vector3& x) { return settings.meshing.limits.at(x); };
-  if (Outcome outcome = remeshSurface(input.surface, options, made); !outcome.ok())
+  options.gapSide = input.sheets.triangles.empty() ? options.gapSide : GapSide::Both;
+  if (Outcome outcome = remeshTogether(options, input, whole, made); !outcome.ok())
   {
     return outcome;
   }
+  snapToPlanes(input.sheets, planes);
   snapToPlanes(input.surface, planes);
   Outcome outcome = checkSurface(settings, planes, input, report);
   if (!outcome.ok())
@@ -187,16 +224,6 @@ std::optional<Extent> extentOfBox(const Domain& domain)
   return domain.box ? std::optional(Extent{ domain.box->corners[0], domain.box->corners[7] }) : std::nullopt;
 }
 
-Outcome addSheets(SurfaceMesh sheets, Domain& domain, MesherReport& report)
-{
-  if (sheets.triangles.empty())
-  {
-    return Outcome::done();
-  }
-  const SurfaceVerdict verdict =
-    attachSheets(domain.surface, std::move(sheets), domain.patches, extentOfBox(domain));
-  return accept(verdict, domain.surface, report);
-}
 } // namespace
 
 Outcome prepareDomain(
@@ -240,6 +267,6 @@ Outcome prepareDomain(
   domain.surface = std::move(input.surface);
   domain.patches = std::move(input.patches);
   domain.isSheet = std::move(input.isSheet);
-  return addSheets(std::move(input.sheets), domain, report);
+  return attach(input.sheets, extentOfBox(domain), domain.patches, domain.surface, report);
 }
 } // namespace ransmesh
