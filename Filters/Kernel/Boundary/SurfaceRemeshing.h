@@ -62,11 +62,11 @@ struct RemeshingReport
 // real-time mesh deformation, Eurographics 2013) that is found anew in each round.
 // Points lie on the given surface, within their patch. Edges where the surface turns by more than the feature
 // angle, borders of patches and of the surface, and edges where more than two triangles meet, are kept as
-// lines, on which points lie too; where two lines run side by side nearer than the wanted edges, edges follow the width
-// of the strip between them, down to a tenth of what is wanted. Where lines end, meet or bend by more than the angle, points stay. No
-// triangle turns from the given surface by more than 30 degrees, or lies farther from it than the options
-// say, unless it did so before. Where the surface cuts itself afterwards, it is done again with a quarter of the
-// deviation allowed, twice at most; whether it cuts itself then is to be checked.
+// lines, on which points lie too; where two lines run side by side nearer than the wanted edges, edges follow the
+// width of the strip between them, down to a tenth of what is wanted. Where lines end, meet or bend by more than the
+// angle, points stay. No triangle turns from the given surface by more than 30 degrees, or lies farther from it than
+// the options say, unless it did so before. Where the surface cuts itself afterwards, it is done again with a quarter
+// of the deviation allowed, twice at most; whether it cuts itself then is to be checked.
 // BadInput, with the surface unchanged, where it would have more than 20 million triangles.
 Outcome remeshSurface(SurfaceMesh& surface, const RemeshingOptions& options, RemeshingReport& report,
   const Context& context = {});
