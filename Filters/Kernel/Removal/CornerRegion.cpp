@@ -17,6 +17,9 @@ namespace ransmesh
 {
 namespace
 {
+// Where walls turn less into each other (degrees), columns hardly lean over the points beside the ridge.
+constexpr double LeastTurn = 45;
+
 // An edge between two walls, as the triangle on one of its sides has it.
 struct RidgeSide
 {
@@ -118,7 +121,7 @@ private:
     const Triangle other = triangle(there.face);
     const double turn = degreesBetween(on.normal, other.normal);
     const bool concave = dot(other.normal, on.middle - mesh_.point(here.low)) > 0;
-    if (!concave || turn < leastTensorTurn || turn > largestTensorTurn)
+    if (!concave || turn < LeastTurn || turn > largestTensorTurn)
     {
       return;
     }
@@ -128,7 +131,10 @@ private:
     if (thickness > 0)
     {
       const double beyond = margin_ * std::min(1.0, thickness * thickness / (size * size)) * size;
-      reach_ = (thickness + beyond) / std::sin(turn / DegreesOfRadian);
+      // A grid is as wide as its other wall's step; a single column leans by half the turn.
+      const double way =
+        turn < leastTensorTurn ? std::tan(turn / 2 / DegreesOfRadian) : 1 / std::sin(turn / DegreesOfRadian);
+      reach_ = (thickness + beyond) * way;
       followRidge(here);
       flood(here, stars);
     }

@@ -98,6 +98,14 @@ TEST(CornerRegion, SkewCornersReachFartherAlongTheWall)
   EXPECT_EQ(leaning.points.size(), 4u * (Count + 1));
 }
 
+TEST(CornerRegion, WideCornersMakeRoomForTheirLeaningColumn)
+{
+  // The walls enclose 120 degrees: the column along the bisector leans by 30, layers 2 thick reach 1.15.
+  const auto lean = [](const Vector3& p) { return Vector3{ p.x - p.z / 2, p.y, p.z * std::sqrt(3) / 2 }; };
+  EXPECT_EQ(find(planWith(2 * Size, { XLow, ZLow }), lean).points.size(), 2u * (Count + 1));
+  EXPECT_TRUE(find(planWith(1.6 * Size, { XLow, ZLow }), lean).points.empty());
+}
+
 TEST(CornerRegion, IsEmptyWhereNothingIsInTheWay)
 {
   EXPECT_TRUE(find(planWith(0.9 * Size, { XLow, ZLow })).points.empty()) << "thin layers";
