@@ -99,7 +99,7 @@ def run(folder, quick):
         sampler = elements.sampler(mesh, velocity, of_cells=prisms)
         u, v = on_centre_lines(sampler, table)
         types = vtk_to_numpy(mesh.GetCellTypesArray())
-        results[name] = {**judge(u, v, table), "cells": int(numpy.isin(types, (10, 13, 14)).sum()),
+        results[name] = {**judge(u, v, table), "cells": int(numpy.isin(types, (10, 12, 13, 14)).sum()),
                          "seconds": time.time() - start}
         fine = numpy.linspace(0.001, 0.999, 200)
         line = {"x": fine, "y": fine}
