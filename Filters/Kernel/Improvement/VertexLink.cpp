@@ -36,6 +36,7 @@ void VertexLink::collectBall(Index v)
       const HalfFace other = tet.neighbour[f];
       if (f != cornerOfV && !isBoundary(other) && inBall_.set(tetOf(other)))
       {
+        mesh_.fetchAhead(tetOf(other));
         ball_.push_back(tetOf(other));
       }
     }

@@ -15,6 +15,7 @@ void Traversal::ball(Index v, std::vector<Index>& out)
       const HalfFace other = tet.neighbour[f];
       if (tet.vertex[f] != v && !isBoundary(other) && seen_.set(tetOf(other)))
       {
+        mesh_.fetchAhead(tetOf(other));
         out.push_back(tetOf(other));
       }
     }
