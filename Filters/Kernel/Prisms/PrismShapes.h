@@ -32,8 +32,8 @@ public:
 
   // Cells with exactly the kept quadrilaterals, or nothing if there are none that are sound. Without one: the
   // tetrahedra as they are. One: a pyramid upon it where two of the tetrahedra make it. Three that go around the
-  // prism: a wedge. Six: a hexahedron. Else, from a new point within, where angles are best: a pyramid upon each, tetrahedra upon all
-  // other faces.
+  // prism: a wedge. Six: a hexahedron. Else, from a new point within, where angles are best: a pyramid upon each,
+  // tetrahedra upon all other faces.
   std::optional<PrismCells> make(Index group) const;
 
   // Is it possible without a new point?

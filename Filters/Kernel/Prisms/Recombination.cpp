@@ -70,6 +70,26 @@ private:
   std::vector<Index> hexahedronOrigin_;
 };
 
+void addCells(const MeshData& mesh, const PrismGroups& groups, RecombinedMesh& result)
+{
+  CellCollector cells(result);
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
+  {
+    if (groups.groupOf[t] == None)
+    {
+      cells.addTet(mesh.tetrahedra[t], static_cast<Index>(t));
+    }
+  }
+  const PrismShapes shapes(mesh, groups);
+  for (std::size_t g = 0; g < groups.groups.size(); ++g)
+  {
+    auto made = shapes.make(static_cast<Index>(g));
+    const PrismGroup& group = groups.groups[g];
+    cells.add(*made, group, mesh.tetrahedra[group.tet[0]][0]);
+  }
+  cells.finish();
+}
+
 void addBoundary(const MeshData& mesh, const PrismGroups& groups, RecombinedMesh& result)
 {
   std::vector<Index> quadAt(mesh.triangles.size(), None);
@@ -132,22 +152,7 @@ Outcome recombinePrisms(const MeshData& given, const std::vector<Index>& prism,
   result.mesh.points = mesh.points;
   result.report.prismTets = static_cast<std::size_t>(
     std::count_if(prism.begin(), prism.end(), [](Index number) { return number >= 0; }));
-  CellCollector cells(result);
-  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t)
-  {
-    if (groups.groupOf[t] == None)
-    {
-      cells.addTet(mesh.tetrahedra[t], static_cast<Index>(t));
-    }
-  }
-  const PrismShapes shapes(mesh, groups);
-  for (std::size_t g = 0; g < groups.groups.size(); ++g)
-  {
-    auto made = shapes.make(static_cast<Index>(g));
-    const PrismGroup& group = groups.groups[g];
-    cells.add(*made, group, mesh.tetrahedra[group.tet[0]][0]);
-  }
-  cells.finish();
+  addCells(mesh, groups, result);
   addBoundary(mesh, groups, result);
   return Outcome::done();
 }

@@ -1,6 +1,5 @@
 // Wedges from the tetrahedra of each prism, hexahedra from those of two that go together (Prisms/PrismJoints.h), with
-// pyramids and tetrahedra where they end, so that the mesh stays
-// conforming: quadrilaterals meet quadrilaterals only.
+// pyramids and tetrahedra where they end, so that the mesh stays conforming: quadrilaterals meet quadrilaterals only.
 #pragma once
 
 #include "Mesh/MixedMesh.h"
