@@ -2,8 +2,8 @@
 #ifndef EnrichmentOutput_h
 #define EnrichmentOutput_h
 
-#include "Boundary/Patch.h"
 #include "Insertion/Enrichment.h"
+#include "Support/Patch.h"
 
 class vtkPointData;
 class vtkPolyData;

@@ -2,10 +2,10 @@
 #ifndef QualityInput_h
 #define QualityInput_h
 
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
 #include "Quality/QualityReport.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <map>
 #include <optional>

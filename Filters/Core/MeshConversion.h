@@ -2,10 +2,10 @@
 #ifndef MeshConversion_h
 #define MeshConversion_h
 
-#include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/MeshData.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

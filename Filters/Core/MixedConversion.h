@@ -2,9 +2,9 @@
 #ifndef MixedConversion_h
 #define MixedConversion_h
 
-#include "Boundary/Patch.h"
 #include "Mesh/MixedMesh.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

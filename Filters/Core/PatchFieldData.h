@@ -2,7 +2,7 @@
 #ifndef PatchFieldData_h
 #define PatchFieldData_h
 
-#include "Boundary/Patch.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

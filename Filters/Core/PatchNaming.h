@@ -1,8 +1,8 @@
 // Types of patches, guessed from their names or set by the user.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

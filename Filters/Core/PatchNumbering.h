@@ -2,7 +2,7 @@
 #ifndef PatchNumbering_h
 #define PatchNumbering_h
 
-#include "Boundary/Patch.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

@@ -1,7 +1,7 @@
 // The triangles that are wrong with a surface, as poly data.
 #pragma once
 
-#include "Boundary/SurfaceCheck.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include "RANSMeshingCoreModule.h"
 

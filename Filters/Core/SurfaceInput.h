@@ -1,9 +1,9 @@
 // From VTK's surfaces to one triangulated surface with patches.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include "RANSMeshingCoreModule.h"
 

@@ -2,8 +2,8 @@
 #ifndef SurfaceOutput_h
 #define SurfaceOutput_h
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include "RANSMeshingCoreModule.h"
 

@@ -2,9 +2,9 @@
 #ifndef SurfaceSizing_h
 #define SurfaceSizing_h
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceRemeshing.h"
+#include "Remeshing/SurfaceRemeshing.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Boundary/MeshAdoption.h"
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <string>
 #include <vector>

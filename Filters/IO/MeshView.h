@@ -3,8 +3,8 @@
 #ifndef MeshView_h
 #define MeshView_h
 
-#include "Boundary/Patch.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include "vtkType.h"
 

@@ -2,8 +2,8 @@
 #ifndef NamedBlocks_h
 #define NamedBlocks_h
 
-#include "Boundary/Patch.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <vector>
 

@@ -4,7 +4,7 @@
 #include "SurfaceOutput.h"
 #include "SurfaceTables.h"
 
-#include "Boundary/SurfaceCheck.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

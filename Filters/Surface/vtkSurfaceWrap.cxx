@@ -4,9 +4,9 @@
 #include "SurfaceFilterInput.h"
 #include "SurfaceOutput.h"
 
-#include "Boundary/SurfaceCheck.h"
 #include "Support/DataContract.h"
 #include "Surface/Wrapping.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

@@ -4,8 +4,8 @@
 #include "DomainPlane.h"
 #include "FarField.h"
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <optional>
 #include <vector>

@@ -3,10 +3,10 @@
 #include "DomainRequest.h"
 #include "TetGenResult.h"
 
-#include "Boundary/SheetAttachment.h"
-#include "Boundary/SurfaceEdges.h"
+#include "Domain/SheetAttachment.h"
 #include "Mesh/Validation.h"
 #include "Surface/DiagnosisText.h"
+#include "Triangles/SurfaceEdges.h"
 
 #include <algorithm>
 #include <cstdio>

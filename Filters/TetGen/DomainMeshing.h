@@ -5,8 +5,8 @@
 #include "TetGenWorker.h"
 #include "Worker/SizeLimits.h"
 
-#include "Boundary/SurfaceCheck.h"
 #include "Mesh/MeshData.h"
+#include "Triangles/SurfaceCheck.h"
 
 namespace ransmesh
 {

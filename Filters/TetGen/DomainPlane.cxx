@@ -1,6 +1,6 @@
 #include "DomainPlane.h"
 
-#include "Boundary/SurfaceRepair.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // Planes that bound a domain: symmetries, waterlines, the ground.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/PlaneCutting.h"
-#include "Boundary/SurfaceMesh.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
+#include "Triangles/PlaneCutting.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <string>
 #include <vector>

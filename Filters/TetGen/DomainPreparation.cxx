@@ -2,9 +2,9 @@
 
 #include "PatchNaming.h"
 
-#include "Boundary/FeatureSplit.h"
-#include "Boundary/SheetAttachment.h"
+#include "Domain/SheetAttachment.h"
 #include "Surface/Preparation.h"
+#include "Triangles/FeatureSplit.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "DomainRefinement.h"
 
-#include "Boundary/SheetAttachment.h"
-#include "Boundary/SurfaceSizes.h"
+#include "Domain/SheetAttachment.h"
+#include "Domain/SurfaceSizes.h"
 #include "Improvement/FlatTetrahedra.h"
 
 #include <algorithm>

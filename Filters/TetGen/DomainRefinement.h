@@ -5,7 +5,7 @@
 #include "MesherReport.h"
 #include "MesherSettings.h"
 
-#include "Boundary/FlatTriangles.h"
+#include "Remeshing/FlatTriangles.h"
 
 namespace ransmesh
 {

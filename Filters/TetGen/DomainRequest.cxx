@@ -5,7 +5,7 @@
 #include "PlaneSeams.h"
 #include "Worker/RequestParts.h"
 
-#include "Boundary/SurfaceSizes.h"
+#include "Domain/SurfaceSizes.h"
 
 namespace ransmesh
 {

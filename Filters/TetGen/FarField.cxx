@@ -2,7 +2,7 @@
 
 #include "PatchNaming.h"
 
-#include "Boundary/SurfaceRepair.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>

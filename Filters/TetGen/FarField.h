@@ -3,8 +3,8 @@
 
 #include "DomainPlane.h"
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <array>
 #include <optional>

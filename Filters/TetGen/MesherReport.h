@@ -1,7 +1,7 @@
 // What the stages of the mesher have to say, besides their outcome.
 #pragma once
 
-#include "Boundary/SurfaceCheck.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include <functional>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include "Worker/RequestParts.h"
 
-#include "Boundary/SurfaceEdges.h"
+#include "Triangles/SurfaceEdges.h"
 
 namespace ransmesh
 {

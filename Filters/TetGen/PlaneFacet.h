@@ -4,7 +4,7 @@
 #include "DomainPlane.h"
 #include "Worker/Protocol.h"
 
-#include "Boundary/PlaneArea.h"
+#include "Domain/PlaneArea.h"
 
 #include <optional>
 

@@ -3,11 +3,11 @@
 
 #include "BenchmarkCases.h"
 
-#include "Boundary/Patch.h"
 #include "Insertion/Enrichment.h"
 #include "Layers/LayerPlanning.h"
 #include "Mesh/MeshData.h"
 #include "Removal/PointRemoval.h"
+#include "Support/Patch.h"
 
 #include <vtkSmartPointer.h>
 

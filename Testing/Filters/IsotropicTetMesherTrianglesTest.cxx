@@ -2,8 +2,8 @@
 #include "MesherRun.h"
 #include "TestSurfaces.h"
 
-#include "Boundary/SurfaceTriangles.h"
 #include "Support/DataContract.h"
+#include "Triangles/SurfaceTriangles.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"

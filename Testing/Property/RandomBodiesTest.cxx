@@ -3,7 +3,7 @@
 // A body that fails is written to a file, and what repeats it by ransmesh-cases is printed: seeds give other bodies
 // whenever what makes them changes.
 #include "Bodies/RandomBodies.h"
-#include "Boundary/SurfaceIntersections.h"
+#include "Triangles/SurfaceIntersections.h"
 #include "Vtk/BodyPolyData.h"
 #include "Vtk/ChainRun.h"
 

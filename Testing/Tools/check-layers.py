@@ -9,8 +9,9 @@ import sys
 BELOW = {"Support": set()}
 BELOW["Geometry"] = {"Support"}
 BELOW["Mesh"] = BELOW["Geometry"] | {"Geometry"}
-BELOW["Boundary"] = BELOW["Prisms"] = BELOW["Mesh"] | {"Mesh"}
-BELOW["Layers"] = BELOW["Improvement"] = BELOW["Surface"] = BELOW["Boundary"] | {"Boundary"}
+BELOW["Triangles"] = BELOW["Prisms"] = BELOW["Mesh"] | {"Mesh"}
+BELOW["Boundary"] = BELOW["Surface"] = BELOW["Remeshing"] = BELOW["Domain"] = BELOW["Triangles"] | {"Triangles"}
+BELOW["Layers"] = BELOW["Improvement"] = BELOW["Boundary"] | {"Boundary"}
 BELOW["Insertion"] = BELOW["Removal"] = BELOW["Quality"] = BELOW["Layers"] | {"Layers", "Improvement"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -2,8 +2,8 @@
 // ridge, or a corner; and the edges that make up the ridges.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Patch.h"
 
 #include <cstddef>
 #include <cstdint>

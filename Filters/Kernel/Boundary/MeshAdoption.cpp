@@ -1,11 +1,11 @@
 #include "Boundary/MeshAdoption.h"
 
-#include "Boundary/FeatureSplit.h"
 #include "Geometry/Predicates.h"
 #include "Mesh/Regions.h"
 #include "Mesh/TetMesh.h"
 #include "Mesh/Tidying.h"
 #include "Mesh/Validation.h"
+#include "Triangles/FeatureSplit.h"
 
 #include <algorithm>
 #include <cstdio>

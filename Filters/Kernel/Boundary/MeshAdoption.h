@@ -1,9 +1,9 @@
 // Meshes that other programs made, brought into the form of the data contract.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <map>
 #include <string>

@@ -1,8 +1,8 @@
 // Tetrahedra of which double precision does not tell which way they are turned.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
+#include "Support/Patch.h"
 
 #include <cstddef>
 

@@ -6,7 +6,6 @@
 // beyond giving way by local changes of connectivity, and writes the levels below in closed form.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Insertion/CornerChoice.h"
 #include "Insertion/FanOpening.h"
 #include "Insertion/FrontRaising.h"
@@ -14,6 +13,7 @@
 #include "Mesh/MeshData.h"
 #include "Support/Context.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <vector>
 

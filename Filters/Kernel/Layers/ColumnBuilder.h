@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Boundary/BoundaryStars.h"
-#include "Boundary/Patch.h"
 #include "Layers/Column.h"
+#include "Support/Patch.h"
 
 namespace ransmesh
 {

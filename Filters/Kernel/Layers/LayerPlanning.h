@@ -1,9 +1,9 @@
 // From what the user asked for to a specification for each patch.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/MeshData.h"
+#include "Support/Patch.h"
 
 #include <string>
 #include <utility>

@@ -4,13 +4,13 @@
 // enrichment says that it did.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/Validation.h"
 #include "Quality/CellMeasures.h"
 #include "Quality/ColumnFollower.h"
 #include "Quality/Distribution.h"
 #include "Support/Context.h"
+#include "Support/Patch.h"
 
 #include <array>
 #include <map>

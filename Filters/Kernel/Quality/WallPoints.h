@@ -1,10 +1,10 @@
 // The points and faces of the viscous walls, as the report sees them.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/FaceMatching.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Patch.h"
 
 #include <vector>
 

@@ -2,12 +2,12 @@
 // (R. Loehner, Int. J. Numer. Meth. Engng 49 (2000) 219-232, section 6).
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/TetMesh.h"
 #include "Removal/RemovalVerdict.h"
 #include "Support/Context.h"
 #include "Support/Outcome.h"
+#include "Support/Patch.h"
 
 #include <array>
 #include <cstddef>

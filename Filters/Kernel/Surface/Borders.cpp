@@ -1,6 +1,6 @@
 #include "Surface/Borders.h"
 
-#include "Boundary/SurfaceEdges.h"
+#include "Triangles/SurfaceEdges.h"
 
 #include <algorithm>
 #include <map>

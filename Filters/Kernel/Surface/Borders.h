@@ -1,7 +1,7 @@
 // The borders of an open surface.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

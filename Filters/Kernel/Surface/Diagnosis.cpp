@@ -1,8 +1,8 @@
 #include "Surface/Diagnosis.h"
 
-#include "Boundary/SurfaceRepair.h"
 #include "Surface/ProximityFaults.h"
 #include "Surface/TopologyFaults.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 

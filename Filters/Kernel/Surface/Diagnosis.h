@@ -1,10 +1,10 @@
 // What is wrong with a surface as it was given, kind by kind, with the triangles concerned.
 #pragma once
 
-#include "Boundary/PlaneCutting.h"
-#include "Boundary/SurfaceCheck.h"
 #include "Support/Context.h"
 #include "Surface/Pieces.h"
+#include "Triangles/PlaneCutting.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include <utility>
 #include <vector>

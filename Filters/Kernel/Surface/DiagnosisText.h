@@ -1,7 +1,7 @@
 // A diagnosis in words and rows.
 #pragma once
 
-#include "Boundary/Patch.h"
+#include "Support/Patch.h"
 #include "Surface/Diagnosis.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 // Triangles that a surface has more than once.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

@@ -1,8 +1,8 @@
 #include "Surface/HoleFilling.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceRepair.h"
 #include "Surface/Borders.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>

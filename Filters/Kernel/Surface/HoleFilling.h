@@ -1,9 +1,9 @@
 // Holes of a surface, closed.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/PlaneCutting.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/PlaneCutting.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

@@ -1,8 +1,8 @@
 #include "Surface/Pieces.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceRepair.h"
-#include "Boundary/SurfaceTriangles.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceRepair.h"
+#include "Triangles/SurfaceTriangles.h"
 
 #include <cmath>
 #include <numeric>

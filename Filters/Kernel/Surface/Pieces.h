@@ -1,7 +1,7 @@
 // The connected pieces of a surface, and which of them lies in which.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

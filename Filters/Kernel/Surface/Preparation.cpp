@@ -1,11 +1,11 @@
 #include "Surface/Preparation.h"
 
-#include "Boundary/SurfaceRepair.h"
 #include "Surface/Borders.h"
 #include "Surface/DiagnosisText.h"
 #include "Surface/Stitching.h"
 #include "Surface/Welding.h"
 #include "Surface/Wrapping.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>

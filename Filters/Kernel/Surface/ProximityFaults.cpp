@@ -1,8 +1,8 @@
 #include "Surface/ProximityFaults.h"
 
-#include "Boundary/SurfaceIntersections.h"
-#include "Boundary/TriangleBoxes.h"
 #include "Geometry/Distance.h"
+#include "Triangles/SurfaceIntersections.h"
+#include "Triangles/TriangleBoxes.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,11 +1,11 @@
 #include "Surface/Repair.h"
 
-#include "Boundary/SurfaceCheck.h"
-#include "Boundary/SurfaceRepair.h"
 #include "Surface/Folds.h"
 #include "Surface/HoleFilling.h"
 #include "Surface/ShortEdges.h"
 #include "Surface/Stitching.h"
+#include "Triangles/SurfaceCheck.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <cstdio>
 

@@ -1,9 +1,9 @@
 // The repair of faults of a surface that can be mended without changing its shape, reported one by one.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/PlaneCutting.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/PlaneCutting.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // Edges of a surface that are too short to be meant.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

@@ -1,7 +1,7 @@
 #include "Surface/Stitching.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceTriangles.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceTriangles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "Surface/TopologyFaults.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceRepair.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <numeric>
 

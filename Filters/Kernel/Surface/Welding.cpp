@@ -1,8 +1,8 @@
 #include "Surface/Welding.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceRepair.h"
 #include "Surface/Borders.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 // Borders of a surface that should coincide.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

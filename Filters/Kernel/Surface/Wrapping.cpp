@@ -1,7 +1,7 @@
 #include "Surface/Wrapping.h"
 
-#include "Boundary/SurfaceRepair.h"
-#include "Boundary/SurfaceTriangles.h"
+#include "Triangles/SurfaceRepair.h"
+#include "Triangles/SurfaceTriangles.h"
 
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>

@@ -1,9 +1,9 @@
 // A closed surface around parts that are open, doubled or cross.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
 #include "Support/Context.h"
 #include "Support/Outcome.h"
+#include "Triangles/SurfaceMesh.h"
 
 namespace ransmesh
 {

@@ -1,8 +1,8 @@
 // Structured grids of tetrahedra on the unit cube, mapped as one likes: domains whose answers are known.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/MeshData.h"
+#include "Support/Patch.h"
 
 #include <array>
 #include <functional>

@@ -1,10 +1,10 @@
 // A box of tetrahedra whose levels above its floor can be chosen: layers made by hand.
 #pragma once
 
-#include "Boundary/Patch.h"
 #include "Mesh/FaceMatching.h"
 #include "Mesh/MeshData.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Patch.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // Small closed surfaces for the tests of their check and repair.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
-#include "Boundary/SurfaceRepair.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include "Bodies/CubeSide.h"
 

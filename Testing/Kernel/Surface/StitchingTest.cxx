@@ -2,7 +2,7 @@
 #include "Surface/Diagnosis.h"
 #include "Surface/Preparation.h"
 
-#include "Boundary/SurfaceRepair.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include "Support/RoundCube.h"
 

@@ -1,8 +1,8 @@
 // A closed triangulated surface with named patches: what tests and benchmarks put through the chain.
 #pragma once
 
-#include "Boundary/Patch.h"
-#include "Boundary/SurfaceMesh.h"
+#include "Support/Patch.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <vector>
 

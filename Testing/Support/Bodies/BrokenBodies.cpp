@@ -2,8 +2,8 @@
 
 #include "Bodies/CubeSide.h"
 
-#include "Boundary/SurfaceEdges.h"
-#include "Boundary/SurfaceRepair.h"
+#include "Triangles/SurfaceEdges.h"
+#include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Bodies/Body.h"
-#include "Boundary/SurfaceCheck.h"
+#include "Triangles/SurfaceCheck.h"
 
 #include <set>
 #include <string>

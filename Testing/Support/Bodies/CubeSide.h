@@ -1,7 +1,7 @@
 // Sides of a cube, for small closed surfaces.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <array>
 

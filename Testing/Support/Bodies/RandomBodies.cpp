@@ -1,8 +1,8 @@
 #include "Bodies/RandomBodies.h"
 
-#include "Boundary/FeatureSplit.h"
-#include "Boundary/SurfaceRemeshing.h"
+#include "Remeshing/SurfaceRemeshing.h"
 #include "Surface/Preparation.h"
+#include "Triangles/FeatureSplit.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>

@@ -1,6 +1,6 @@
 #include "Bodies/SurfaceBuilder.h"
 
-#include "Boundary/SurfaceEdges.h"
+#include "Triangles/SurfaceEdges.h"
 
 #include <cmath>
 
