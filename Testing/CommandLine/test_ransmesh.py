@@ -48,26 +48,6 @@ class Usage(CommandLineTest):
         self.assertRegex(self.run_it("--version").stdout, r"^ransmesh \d+\.\d+")
 
 
-class Outputs(CommandLineTest):
-    def test_meshes_for_solvers(self):
-        for name in ("mesh.su2", "mesh.b8.ugrid", "mesh.ugrid", "mesh.cgns", "mesh.msh", "case/constant/polyMesh"):
-            before = set(os.listdir(self.folder))
-            done = self.run_it(NOSECONE, "-o", self.path(name), *LAYERS, "--prisms", "--quiet")
-            self.assertEqual((done.returncode, done.stderr), (0, ""))
-            made = self.path(name)
-            self.assertGreater(sum(os.path.getsize(os.path.join(made, f)) for f in os.listdir(made))
-                               if os.path.isdir(made) else os.path.getsize(made), 50000)
-            new = set(os.listdir(self.folder)) - before - {"mesh.mapbc"}
-            self.assertEqual(new, {name.split("/")[0]})
-
-    def test_what_cannot_be_held_or_written_is_told_before_the_work(self):
-        self.fails(2, "cannot hold the faces of --wake", NOSECONE, "-o", self.path("mesh.su2"), "--wake", NOSECONE,
-                   *LAYERS)
-        open(self.path("file"), "w", encoding="utf-8").close()
-        self.fails(1, "cannot be written", NOSECONE, "-o", self.path("file/polyMesh"), *LAYERS)
-        self.fails(1, "cannot be written", NOSECONE, "-o", self.path("none/mesh.cgns"), *LAYERS)
-
-
 class Options(CommandLineTest):
     def test_far_field_and_layers(self):
         report = self.report_of(NOSECONE, *LAYERS, "--far-field", "2")

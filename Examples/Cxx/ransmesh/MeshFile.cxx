@@ -3,6 +3,7 @@
 #include "Messages.h"
 
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkSolverMeshWriter.h>
@@ -17,6 +18,42 @@
 #include <functional>
 #include <stdexcept>
 #include <unistd.h>
+
+namespace
+{
+// VTK's writers as they are, but for pointers that they forget to set, and free where writing fails (9.1: a crash where
+// the disk is full).
+class GridWriter : public vtkXMLUnstructuredGridWriter
+{
+public:
+  static GridWriter* New();
+  vtkTypeMacro(GridWriter, vtkXMLUnstructuredGridWriter);
+
+protected:
+  GridWriter()
+  {
+    this->NumberOfPointsPositions = nullptr;
+    this->NumberOfCellsPositions = nullptr;
+  }
+};
+vtkStandardNewMacro(GridWriter);
+
+class SurfaceWriter : public vtkXMLPolyDataWriter
+{
+public:
+  static SurfaceWriter* New();
+  vtkTypeMacro(SurfaceWriter, vtkXMLPolyDataWriter);
+
+protected:
+  SurfaceWriter()
+  {
+    this->NumberOfPointsPositions = nullptr;
+    this->NumberOfVertsPositions = this->NumberOfLinesPositions = nullptr;
+    this->NumberOfStripsPositions = this->NumberOfPolysPositions = nullptr;
+  }
+};
+vtkStandardNewMacro(SurfaceWriter);
+} // namespace
 
 namespace commandline
 {
@@ -140,14 +177,13 @@ void writeMesh(vtkUnstructuredGrid* mesh, const std::string& path, bool leaveOut
     }
     return;
   }
-  writeThenRename(
-    path, [mesh](const std::string& name) { return writeXml<vtkXMLUnstructuredGridWriter>(mesh, name); });
+  writeThenRename(path, [mesh](const std::string& name) { return writeXml<GridWriter>(mesh, name); });
 }
 
 void writeSurface(vtkPolyData* surface, const std::string& path)
 {
   writeThenRename(
-    path, [surface](const std::string& name) { return writeXml<vtkXMLPolyDataWriter>(surface, name); });
+    path, [surface](const std::string& name) { return writeXml<SurfaceWriter>(surface, name); });
 }
 
 void writeText(const std::string& text, const std::string& path)

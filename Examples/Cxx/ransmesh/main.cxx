@@ -13,6 +13,7 @@
 #include <vtkRANSLayerAlgorithm.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -157,6 +158,7 @@ int main(int count, char* words[])
     }
     checkFiles(options);
     Progress::catchInterrupts();
+    std::signal(SIGXFSZ, SIG_IGN); // beyond a limit on files writing fails, and says so
     return mesh(options);
   }
   catch (const UsageError& error)
