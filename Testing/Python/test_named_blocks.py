@@ -56,8 +56,8 @@ def assert_same_grid(grid, back):
 
 
 def test_there_and_back():
-    for grid in (writer_meshes.ball(), writer_meshes.ball(prisms=True), writer_meshes.all_kinds(),
-                 writer_meshes.wing_with_wake()):
+    for grid in (writer_meshes.ball(), writer_meshes.room(), writer_meshes.all_kinds(), writer_meshes.wing_with_wake(),
+                 writer_meshes.wing_with_wake_and_prisms()):
         assert_same_grid(grid, mesh_of(blocks_of(grid)))
 
 
@@ -82,7 +82,7 @@ def test_blocks_have_names_paths_and_types():
 
 
 def test_a_mesh_read_from_a_cgns_file():
-    grid = writer_meshes.ball(prisms=True)
+    grid = writer_meshes.room()
     with tempfile.TemporaryDirectory() as folder:
         writer = vtkCGNSMeshWriter()
         writer.SetInputData(grid)

@@ -10,9 +10,8 @@ from test_writers import FILES, WriterTest
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkCubeSource
 
-from ransmeshing import (vtkDirectionalEnrichment, vtkGmshMeshReader, vtkIsotropicTetMesher, vtkMeshAdoption,
-                         vtkMeshQualityReport, vtkMeshToNamedBlocks, vtkNamedBlocksToMesh, vtkPrismRecombination,
-                         vtkRANSPointRemoval)
+from ransmeshing import (vtkGmshMeshReader, vtkIsotropicTetMesher, vtkMeshAdoption, vtkMeshToNamedBlocks,
+                         vtkNamedBlocksToMesh)
 
 sys.path.insert(0, os.path.join(os.environ["RANSMESHING_SOURCE_DIR"], "Examples/Python"))
 import pipeline  # noqa: E402
@@ -29,17 +28,13 @@ def regions_of(grid):
     return {int(n): {mesh_files.key(points[c]) for c in np.flatnonzero(numbers == n)} for n in np.unique(numbers) if n}
 
 
-def layers_on(mesher, walls):
-    """The filters behind one that makes a mesh."""
-    stages = [mesher, vtkRANSPointRemoval(), vtkDirectionalEnrichment(), vtkPrismRecombination(), vtkMeshQualityReport()]
-    for stage in stages[1:3]:
-        for wall in walls:
-            stage.SetPatchLayers(wall, 2e-3, 1.3, 6)
-    for before, after in zip(stages, stages[1:]):
-        after.SetInputConnection(before.GetOutputPort())
-    pipeline.run(stages)
-    assert stages[-1].GetValid(), stages[-1].GetReportText()
-    return stages
+def there_and_back(grid):
+    """What remains of a mesh as named blocks."""
+    to_blocks, to_mesh = vtkMeshToNamedBlocks(), vtkNamedBlocksToMesh()
+    to_blocks.SetInputData(grid)
+    to_mesh.SetInputConnection(to_blocks.GetOutputPort())
+    pipeline.run([to_blocks, to_mesh])
+    return to_blocks.GetOutput(), to_mesh.GetOutput()
 
 
 def assert_regions_by_place(grid, number_at):
@@ -85,7 +80,7 @@ class Filters(WriterTest):
             cube.SetCenter(middle, 0, 0)
             mesher.AddInputConnection(cube.GetOutputPort())
         mesher.SetSurfaceEdgeLength(0.2)
-        stages = layers_on(mesher, ["surface_*"])
+        stages = writer_meshes.layers_on(mesher, ["surface_*"])
         first = int(mesher.GetOutput().GetPoint(mesher.GetOutput().GetCell(0).GetPointId(0))[0] > 1.5)
         for stage in stages:
             assert_regions_by_place(stage.GetOutput(), lambda m: np.where((m[:, 0] > 1.5) == first, 1, 2))
@@ -101,8 +96,11 @@ class Filters(WriterTest):
         walls = [names.GetValue(i) for i in range(1, names.GetNumberOfValues())]
         self.assertIn("air_to_water", walls)
         walls.remove("air_to_water")
-        for stage in layers_on(adoption, walls[:1]):
+        for stage in writer_meshes.layers_on(adoption, walls[:1]):
             assert_regions_by_place(stage.GetOutput(), mesh.number_at)
+            _, back = there_and_back(stage.GetOutput())
+            mesh_files.of_grid(stage.GetOutput()).assert_same(mesh_files.of_grid(back))
+            assert_regions_by_place(back, mesh.number_at)
         self.assertIn("2 air ", stage.GetReportText())
         self.assertIn("5 water ", stage.GetReportText())
 
@@ -185,15 +183,11 @@ class Formats(WriterTest):
             self.assertEqual(read.regions, self.regions)
 
     def test_named_blocks(self):
-        to_blocks, to_mesh = vtkMeshToNamedBlocks(), vtkNamedBlocksToMesh()
-        to_blocks.SetInputData(self.grid)
-        to_mesh.SetInputConnection(to_blocks.GetOutputPort())
-        to_mesh.Update()
-        assembly = to_blocks.GetOutput().GetDataAssembly()
+        blocks, mesh = there_and_back(self.grid)
+        assembly = blocks.GetDataAssembly()
         for number, path in enumerate(("/Mesh/volume/air", "/Mesh/volume/solid_part", "/Mesh/boundary/body")):
             self.assertEqual(list(assembly.GetDataSetIndices(assembly.GetFirstNodeByPath(path))), [number])
-        self.assertEqual(regions_of(to_mesh.GetOutput()), self.regions)
-        blocks = to_blocks.GetOutput()
+        self.assertEqual(regions_of(mesh), self.regions)
         for i in range(blocks.GetNumberOfPartitionedDataSets()):
             blocks.GetPartition(i, 0).GetCellData().RemoveArray("RegionId")
         blocks.GetFieldData().RemoveArray("RegionNames")

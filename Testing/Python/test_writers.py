@@ -98,6 +98,11 @@ class ReadBack(WriterTest):
     def test_prisms(self):
         self.compare(writer_meshes.ball(prisms=True))
 
+    def test_prisms_and_hexahedra(self):
+        grid = writer_meshes.room()
+        self.assertEqual(set(mesh_files.of_grid(grid).cells), {4, 6, 8})
+        self.compare(grid)
+
     def test_all_kinds_of_cells_and_patches_of_triangles_and_quadrilaterals(self):
         for turned in (False, True):
             self.compare(writer_meshes.all_kinds(turned))
@@ -267,6 +272,19 @@ class Sheets(WriterTest):
         for name in ("mesh.su2", "mesh.b8.ugrid"):
             self.refused("cannot hold patches inside the mesh, and this mesh has: wake", grid, name)
             mesh.assert_same(FILES[name](self.written(grid, name, leave_out_sheets=True)))
+
+    def test_with_prisms_on_both_sides(self):
+        grid = writer_meshes.wing_with_wake_and_prisms()
+        mesh = mesh_files.of_grid(grid)
+        self.assertIn(6, mesh.cells)
+        mesh.assert_same(mesh_files.read_gmsh(self.written(grid, "mesh.msh")))
+        wake = mesh.patches.pop("wake")
+        mesh.assert_same(mesh_files.read_cgns(self.written(grid, "mesh.cgns")))
+        mesh.assert_same(mesh_files.read_openfoam(self.written(grid, "case/constant/polyMesh")))
+        if shutil.which("checkMesh"):
+            text = self.check_mesh()
+            self.assertRegex(text, r"wake +%d " % len(wake))
+            self.assertIn("Number of regions: 1 (OK)", text)
 
 
 class Broken(WriterTest):

@@ -7,9 +7,10 @@ import sys
 import mesh_files
 from vtkmodules.vtkCommonCore import vtkIntArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
-from ransmeshing import vtkPrismRecombination
+from ransmeshing import (vtkDirectionalEnrichment, vtkIsotropicTetMesher, vtkMeshQualityReport, vtkPrismRecombination,
+                         vtkRANSPointRemoval)
 
 sys.path.insert(0, os.path.join(os.environ["RANSMESHING_SOURCE_DIR"], "Examples/Python"))
 import pipeline  # noqa: E402
@@ -123,9 +124,37 @@ def ball(prisms=False):
     return recombination.GetOutput()
 
 
+def layers_on(mesher, walls):
+    """The filters behind one that makes a mesh, to prisms and the report; they have run."""
+    stages = [mesher, vtkRANSPointRemoval(), vtkDirectionalEnrichment(), vtkPrismRecombination(), vtkMeshQualityReport()]
+    for stage in stages[1:3]:
+        for wall in walls:
+            stage.SetPatchLayers(wall, 2e-3, 1.3, 6)
+    for before, after in zip(stages, stages[1:]):
+        after.SetInputConnection(before.GetOutputPort())
+    pipeline.run(stages)
+    assert stages[-1].GetValid(), stages[-1].GetReportText()
+    return stages
+
+
+@functools.cache
+def room():
+    """The inside of a cube with prisms on its walls, and hexahedra along its edges."""
+    cube, mesher = vtkCubeSource(), vtkIsotropicTetMesher()
+    mesher.SetInputConnection(cube.GetOutputPort())
+    mesher.SetSurfaceEdgeLength(0.2)
+    return layers_on(mesher, ["*"])[3].GetOutput()
+
+
 @functools.cache
 def wing_with_wake():
     """An isotropic mesh with a sheet in it."""
     mesher = wake.make_chain(1e-4)[0]
     pipeline.run([mesher])
     return mesher.GetOutput()
+
+
+@functools.cache
+def wing_with_wake_and_prisms():
+    """Prisms on the wing and on both sides of the sheet."""
+    return layers_on(wake.make_chain(1e-4)[0], ["surface", "wake"])[3].GetOutput()
