@@ -76,6 +76,23 @@ def is_installed():
     return shutil.which("simpleFoam") is not None
 
 
+def run(folder, *command):
+    """Runs a program of OpenFOAM on a case; its output goes to log.<program>, which comes back."""
+    environment = dict(os.environ, WM_PROJECT_DIR=ROOT)
+    log = os.path.join(folder, "log." + command[0])
+    try:
+        with open(log, "w", encoding="utf-8") as file:
+            status = subprocess.run([*command, "-case", folder], env=environment, stdout=file, stderr=subprocess.STDOUT,
+                                    check=False).returncode
+    except FileNotFoundError as error:
+        raise SolverError(f"{command[0]} is not installed: apt-get install openfoam") from error
+    with open(log, encoding="utf-8") as file:
+        text = file.read()
+    if status != 0:
+        raise SolverError(f"{command[0]} failed, see {log}:\n" + "\n".join(text.splitlines()[-8:]))
+    return text
+
+
 class Case:
     """A case in a folder; its mesh is written to polymesh()."""
 
@@ -108,20 +125,8 @@ class Case:
                         f"boundaryField\n{{\n{entries}\n}}\n")
 
     def run(self, *command):
-        """Runs a program of OpenFOAM on the case; its output goes to log.<program>, which comes back."""
-        environment = dict(os.environ, WM_PROJECT_DIR=ROOT)
-        log = os.path.join(self.folder, "log." + command[0])
-        try:
-            with open(log, "w", encoding="utf-8") as file:
-                status = subprocess.run([*command, "-case", self.folder], env=environment, stdout=file,
-                                        stderr=subprocess.STDOUT, check=False).returncode
-        except FileNotFoundError as error:
-            raise SolverError(f"{command[0]} is not installed: apt-get install openfoam") from error
-        with open(log, encoding="utf-8") as file:
-            text = file.read()
-        if status != 0:
-            raise SolverError(f"{command[0]} failed, see {log}:\n" + "\n".join(text.splitlines()[-8:]))
-        return text
+        """Runs a program of OpenFOAM on the case: see run."""
+        return run(self.folder, *command)
 
     def on_patch(self, time, field, patch):
         """The field's values on the faces of a patch, at a time that was written."""

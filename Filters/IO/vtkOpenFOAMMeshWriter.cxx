@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <string_view>
 
 vtkStandardNewMacro(vtkOpenFOAMMeshWriter);
 
@@ -28,6 +29,13 @@ const char* typeOf(const BoundaryPatch& patch, const MeshView& mesh)
     return planeNormal(mesh, patch, LargestOffPlane) ? "symmetryPlane" : "symmetry";
   }
   return patch.type == PatchType::Wall ? "wall" : "patch";
+}
+
+// By which fields name all patches of a type at once: ours, but OpenFOAM's own for constraints. A plane patch in a group
+// symmetry would be taken for a curved one by caseDicts/setConstraintTypes.
+std::string_view groupOf(const BoundaryPatch& patch, const MeshView& mesh)
+{
+  return patch.type == PatchType::Symmetry ? typeOf(patch, mesh) : nameOf(patch.type);
 }
 
 class PolyMesh
@@ -102,7 +110,7 @@ private:
       }
       file.text("    ").text(labels_[i]).text("\n    {\n        type            ");
       file.text(typeOf(patches[i], mesh_)).text(";\n        inGroups        1(");
-      file.text(nameOf(patches[i].type)).text(");\n        nFaces          ");
+      file.text(groupOf(patches[i], mesh_)).text(");\n        nFaces          ");
       file.number(faces_.order().outerFaces(patches[i])).text(";\n        startFace       ");
       file.number(faces_.startOf(i)).text(";\n    }\n");
     }

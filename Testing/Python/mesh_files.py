@@ -264,8 +264,10 @@ def of_blocks(volume, surfaces):
     points = vtk_to_numpy(volume.GetPoints().GetData()).astype(float)
     numbers, patches = PointNumbers(points), {}
     for name, surface in surfaces:
-        of_mesh = numbers.of(vtk_to_numpy(surface.GetPoints().GetData()).astype(float))
-        patches[name] = [of_mesh[face] for face in faces_of(surface)]
+        faces = faces_of(surface)
+        used, places = np.unique(np.concatenate(faces), return_inverse=True)  # readers leave all the mesh's points there
+        of_mesh = numbers.of(vtk_to_numpy(surface.GetPoints().GetData())[used].astype(float))[places]
+        patches[name] = np.split(of_mesh, np.cumsum([len(face) for face in faces])[:-1])
     return Mesh(points, volume_of(volume), patches)
 
 
