@@ -7,16 +7,14 @@ figures.json. --quick: a coarse mesh, tetrahedra alone, with a limit of its own.
 Status 1 where u or v on the centre lines are off by more than 0.025 (quick: 0.06) at a point, or by 0.010 (0.03) in the
 root mean square.
 """
-import json
 import os
-import sys
-import time
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import compare
 import elements
+import example
 import meshing
 import openfoam
 import slab
@@ -24,6 +22,7 @@ import slab
 REYNOLDS = 1000
 DEPTH = 0.1
 STEPS = 600  # of simpleFoam
+TETRAHEDRA = "tetrahedra, finite elements"
 TYPES = {"lid": "wall", "walls": "wall", "front": "symmetry", "back": "symmetry"}
 #         edge, first height, growth, layers; largest deviation, root mean square
 FULL = (0.0238, 0.003, 1.25, 10, 0.025, 0.010)
@@ -50,18 +49,18 @@ def reference():
     return numpy.genfromtxt(path, delimiter=",", names=True, comments="#", skip_header=2)
 
 
-def by_finite_elements(folder, mesh):
+def by_finite_elements(path, mesh):
     still = [(patch, component, 0.0) for patch in ("walls", "lid") for component in (0, 1, 2)]
     sides = [(side, 2, 0.0) for side in ("front", "back")]
     # Walls come after the lid: its corners stand still.
     conditions = sides + still[3:] + [("lid", 0, 1.0)] + still[:3]
-    velocity, _ = elements.solve(os.path.join(folder, "tetrahedra"), mesh, conditions,
+    velocity, _ = elements.solve(path, mesh, conditions,
                                  [1 / re for re in (100, 350, REYNOLDS)], point_pressure=True)
     return velocity
 
 
-def by_openfoam(folder, mesh):
-    case = openfoam.Case(os.path.join(folder, "prisms"))
+def by_openfoam(path, mesh):
+    case = openfoam.Case(path)
     openfoam.write_mesh(mesh, case)
     symmetry = "type symmetryPlane;"
     sides = {"front": symmetry, "back": symmetry}
@@ -74,7 +73,7 @@ def by_openfoam(folder, mesh):
 
 
 def on_centre_lines(sampler, table):
-    """Differences of u on x = 0.5 and of v on y = 0.5 from the table, and the values."""
+    """u on x = 0.5 and v on y = 0.5, at the places of a table."""
     middle = DEPTH / 2
     u = sampler([(0.5, y, middle) for y in table["y"]])[:, 0]
     v = sampler([(x, 0.5, middle) for x in table["x"]])[:, 1]
@@ -88,34 +87,29 @@ def judge(u, v, table):
 
 def run(folder, quick):
     """0 where the figures are good, else 1."""
-    size, height, growth, layers, most, most_rms = QUICK if quick else FULL
+    *sizes, most, most_rms = QUICK if quick else FULL
     table = reference()
-    results, curves = {}, []
-    for name, prisms in (("tetrahedra, finite elements", False), ("prisms, simpleFoam", True))[:1 if quick else 2]:
-        print(f"-- {name}", flush=True)
-        start = time.time()
-        mesh = make_mesh(size, height, growth, layers, prisms)
-        velocity = by_openfoam(folder, mesh) if prisms else by_finite_elements(folder, mesh)
+
+    def compute(path, prisms):
+        mesh = make_mesh(*sizes, prisms)
+        velocity = by_openfoam(path, mesh) if prisms else by_finite_elements(path, mesh)
         sampler = elements.sampler(mesh, velocity, of_cells=prisms)
-        u, v = on_centre_lines(sampler, table)
         types = vtk_to_numpy(mesh.GetCellTypesArray())
-        results[name] = {**judge(u, v, table), "cells": int(numpy.isin(types, (10, 12, 13, 14)).sum()),
-                         "seconds": time.time() - start}
+        figures = {**judge(*on_centre_lines(sampler, table), table),
+                   "cells": int(numpy.isin(types, (10, 12, 13, 14)).sum())}
         fine = numpy.linspace(0.001, 0.999, 200)
-        line = {"x": fine, "y": fine}
-        curves.append((name, fine, *on_centre_lines(sampler, line)))
-        print(f"{results[name]['cells']} cells: largest deviation {results[name]['largest']:.4f}, root mean square "
-              f"{results[name]['rms']:.4f}; {results[name]['seconds']:.0f} s", flush=True)
-    with open(os.path.join(folder, "figures.json"), "w", encoding="utf-8") as file:
-        json.dump(results, file, indent=2)
+        return figures, fine, *on_centre_lines(sampler, {"x": fine, "y": fine})
+
+    cases = {TETRAHEDRA: (False,)} if quick else {TETRAHEDRA: (False,), "prisms, simpleFoam": (True,)}
+    results, curves = example.run_cases(folder, cases, compute, describe)
     print(compare.centre_lines(os.path.join(folder, "cavity.png"), curves, table, "Lid-driven cavity, Re = 1000"))
-    first = results["tetrahedra, finite elements"]
+    first = results[TETRAHEDRA]
     return 0 if first["largest"] <= most and first["rms"] <= most_rms else 1
 
 
+def describe(figures):
+    return f"{figures['cells']} cells: largest deviation {figures['largest']:.4f}, root mean square {figures['rms']:.4f}"
+
+
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--quick"]):
-        print(__doc__, file=sys.stderr)
-        sys.exit(2)
-    os.makedirs(sys.argv[1], exist_ok=True)
-    sys.exit(run(sys.argv[1], bool(sys.argv[2:])))
+    example.main(__doc__, run)

@@ -7,16 +7,14 @@ Leaves in FOLDER the results, a picture and figures.json. --quick: the first mes
 Status 1 where the skin friction is off by more than 2 %, scatters by more than 1.5 %, or differs by more than 0.5 %
 between the two.
 """
-import json
 import os
-import sys
-import time
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import compare
 import elements
+import example
 import plate
 
 VISCOSITY = 1e-5  # at unit velocity
@@ -45,7 +43,6 @@ def blasius(x):
 
 
 def compute(path, height, growth, layers):
-    start = time.time()
     mesh = plate.make_mesh(-0.5, SIZE, (height, growth, layers))
     conditions = [("front", 1, 0.0), ("back", 1, 0.0), ("upstream", 2, 0.0), ("top", 0, 1.0)]
     conditions += [("inlet", i, float(i == 0)) for i in range(3)] + [("plate", i, 0.0) for i in range(3)]
@@ -53,9 +50,12 @@ def compute(path, height, growth, layers):
     x, friction = skin_friction(mesh, velocity)
     inside = (x > WINDOW[0]) & (x < WINDOW[1])
     ratio = friction[inside] / blasius(x[inside])
-    figures = {"points": mesh.GetNumberOfPoints(), "deviation": float(ratio.mean() - 1),
-               "scatter": float(ratio.std()), "seconds": time.time() - start}
+    figures = {"points": mesh.GetNumberOfPoints(), "deviation": float(ratio.mean() - 1), "scatter": float(ratio.std())}
     return figures, x, friction
+
+
+def describe(figures):
+    return f"Cf {100 * figures['deviation']:+.2f} % of Blasius's, scatter {100 * figures['scatter']:.2f} %"
 
 
 def is_good(results):
@@ -66,16 +66,8 @@ def is_good(results):
 
 def run(folder, quick):
     """0 where the figures are good, else 1."""
-    results, curves = {}, []
-    for name in list(CASES)[:1] if quick else CASES:
-        print(f"-- {name}", flush=True)
-        figures, x, friction = compute(os.path.join(folder, name.replace(" ", "").replace("=", "-")), *CASES[name])
-        results[name] = figures
-        curves.append((name, x, friction))
-        print(f"Cf {100 * figures['deviation']:+.2f} % of Blasius's, scatter {100 * figures['scatter']:.2f} %; "
-              f"{figures['seconds']:.0f} s", flush=True)
-    with open(os.path.join(folder, "figures.json"), "w", encoding="utf-8") as file:
-        json.dump(results, file, indent=2)
+    cases = dict(list(CASES.items())[:1] if quick else CASES)
+    results, curves = example.run_cases(folder, cases, compute, describe)
     x = numpy.linspace(0.02, plate.END, 200)
     print(compare.skin_friction(os.path.join(folder, "laminar_plate.png"), curves, "Laminar flat plate, tetrahedra",
                                 lines=[(x, blasius(x), "Blasius")]))
@@ -83,8 +75,4 @@ def run(folder, quick):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--quick"]):
-        print(__doc__, file=sys.stderr)
-        sys.exit(2)
-    os.makedirs(sys.argv[1], exist_ok=True)
-    sys.exit(run(sys.argv[1], bool(sys.argv[2:])))
+    example.main(__doc__, run)

@@ -6,14 +6,12 @@ with tetrahedra above them, in two sizes, and compares the skin friction with NA
 Leaves in FOLDER the cases, a picture and figures.json. --quick: the smallest case alone.
 Status 1 where the skin friction is off by more than 1 %, scatters by more than 0.5 % or still drifts.
 """
-import json
 import os
-import sys
-import time
 
 import numpy
 
 import compare
+import example
 import openfoam
 import plate
 
@@ -74,10 +72,9 @@ def at_station(x, friction):
     return float(numpy.exp(numpy.polyval(fit, numpy.log(STATION)))), float(scatter)
 
 
-def compute(folder, size, height, layers, steps):
-    start = time.time()
+def compute(path, size, height, layers, steps):
     mesh = plate.make_mesh(-0.33, size, (height, GROWTH, layers), prisms=True)
-    case = openfoam.Case(folder)
+    case = openfoam.Case(path)
     openfoam.write_mesh(mesh, case)
     case.set_up(VISCOSITY, "SpalartAllmaras", fields(), steps, WINDOW)
     case.run("simpleFoam")
@@ -88,8 +85,13 @@ def compute(folder, size, height, layers, steps):
     value, scatter = at_station(x, friction)
     before, _ = at_station(*skin_friction(case, steps - WINDOW))
     figures = {"cells": mesh.GetNumberOfCells(), "cf": value, "deviation": value / REFERENCE - 1,
-               "scatter": scatter, "drift": abs(value / before - 1), "seconds": time.time() - start}
+               "scatter": scatter, "drift": abs(value / before - 1)}
     return figures, x, friction
+
+
+def describe(figures):
+    return (f"Cf {figures['cf']:.4e} at x = 0.97, {100 * figures['deviation']:+.2f} % of NASA's; scatter "
+            f"{100 * figures['scatter']:.2f} %, drift {100 * figures['drift']:.3f} % over {WINDOW} iterations")
 
 
 def is_good(figures):
@@ -98,26 +100,12 @@ def is_good(figures):
 
 def run(folder, quick):
     """0 where the figures are good, else 1."""
-    results = {}
-    curves = []
-    for name in list(CASES)[:1] if quick else CASES:
-        print(f"-- {name}", flush=True)
-        figures, x, friction = compute(os.path.join(folder, name.replace(", ", "-").replace(" ", "-")), *CASES[name])
-        results[name] = figures
-        curves.append((name, x, friction))
-        print(f"Cf {figures['cf']:.4e} at x = 0.97, {100 * figures['deviation']:+.2f} % of NASA's; scatter "
-              f"{100 * figures['scatter']:.2f} %, drift {100 * figures['drift']:.3f} % over {WINDOW} iterations; "
-              f"{figures['seconds']:.0f} s", flush=True)
-    with open(os.path.join(folder, "figures.json"), "w", encoding="utf-8") as file:
-        json.dump(results, file, indent=2)
+    cases = dict(list(CASES.items())[:1] if quick else CASES)
+    results, curves = example.run_cases(folder, cases, compute, describe)
     print(compare.skin_friction(os.path.join(folder, "turbulent_plate.png"), curves,
                                 "Turbulent flat plate, Spalart-Allmaras", [(STATION, REFERENCE, "NASA, FUN3D")]))
     return 0 if all(is_good(figures) for figures in results.values()) else 1
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--quick"]):
-        print(__doc__, file=sys.stderr)
-        sys.exit(2)
-    os.makedirs(sys.argv[1], exist_ok=True)
-    sys.exit(run(sys.argv[1], bool(sys.argv[2:])))
+    example.main(__doc__, run)
