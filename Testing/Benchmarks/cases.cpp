@@ -145,8 +145,15 @@ bodies::Body makeBody(const bodies::Case& c, Arguments& a)
   {
     layers.firstHeight *= a.thickness / layers.thickness();
   }
-  a.options.firstHeight = layers.firstHeight;
-  return c.make(size, layers);
+  bodies::Body body = c.make(size, layers);
+  const ChainOptions options = optionsFor(c, layers, body);
+  a.options.firstHeight = options.firstHeight;
+  a.options.patchLayers = options.patchLayers;
+  if (a.options.walls.empty())
+  {
+    a.options.walls = options.walls;
+  }
+  return body;
 }
 
 vtkSmartPointer<vtkPolyData> readSurface(Arguments& a)
@@ -210,7 +217,7 @@ std::string toJson(const Arguments& a, const ChainResult& r)
     text << separator << quoted(reason) << ": " << count;
     separator = ", ";
   }
-  text << "},\n \"walls\": [";
+  text << "},\n \"walls_of_their_own\": " << a.options.patchLayers.size() << ", \"walls\": [";
   writeNumbers(r.walls, text);
   text << "], \"sheets\": [";
   writeNumbers(r.sheets, text);

@@ -92,12 +92,14 @@ def percent(value, goal=None, most=False):
 
 
 def full_columns(name, result, layers):
-    """Of the columns at smooth wall points by the referee; where gaps limit them, of those limits; with sheets, and in
-    cones whose columns lie in the outlet, more than 20 degrees from the normal, of all columns."""
+    """Of the columns at smooth wall points by the referee; where gaps or lower neighbours limit them, of those limits;
+    with sheets, walls of their own layers, and in cones whose columns lie in the outlet, more than 20 degrees from the
+    normal, of all columns."""
     leans = name in ("cone-inside30", "cone-inside45", "cone-inside60")
-    if "-gap" not in name and "-floor" not in name and not leans and not result["sheets"]:
+    limits = any(word in name for word in ("-gap", "-floor", "floor-", "-mirror"))
+    if not limits and not leans and not result["sheets"] and not result["walls_of_their_own"]:
         return layers.get("share_of_columns_full")
-    limited = ("none", "gap", "isotropic size reached")
+    limited = ("none", "gap", "isotropic size reached") + ("transition",) * bool(result["walls_of_their_own"])
     return share(sum(result["stop_reasons"].get(reason, 0) for reason in limited), result["columns"])
 
 

@@ -48,12 +48,9 @@ TEST_P(Prisms, AreValidAndMostOfTheLayers)
   const bodies::Case* c = bodies::findCase(GetParam().name);
   ASSERT_TRUE(c);
   const bodies::Layers layers = c->layers(c->testSize);
-  chain_run::ChainOptions options;
-  options.firstHeight = layers.firstHeight;
-  options.growth = layers.growth;
-  options.layers = layers.number;
+  const bodies::Body body = c->make(c->testSize, layers);
   vtkNew<vtkPrismRecombination> recombination;
-  recombination->SetInputData(runChain(c->make(c->testSize, layers), options).mesh);
+  recombination->SetInputData(chain_run::runChain(body, chain_run::optionsFor(*c, layers, body)).mesh);
   vtkNew<vtkMeshQualityReport> report;
   report->SetInputConnection(recombination->GetOutputPort());
   report->Update();

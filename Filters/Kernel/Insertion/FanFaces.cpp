@@ -69,13 +69,17 @@ bool FanFaces::assign(const Fan& fan, std::vector<std::vector<Index>>& lifted)
   return at == faces.size() && !faces.empty();
 }
 
-// Of the steps from first to last, the one whose column points most like the columns of a neighbour's face.
+// Of the steps from first to last, the one whose column points most like the columns of a neighbour's face, as seen
+// along the edge to it: where the edge ends between other walls, the columns at its two ends lean towards each other.
 std::size_t FanFaces::nearestStep(
   const Fan& fan, std::size_t first, std::size_t last, const FrontFace& face) const
 {
-  const Vector3 middle = directionAt(face.second) + directionAt(face.third);
+  const Column& column = set_.columns[fan.column];
+  const Vector3 along = normalized(baseAt(face.second) - column.base);
+  const auto across = [&along](const Vector3& d) { return normalized(d - dot(d, along) * along); };
+  const Vector3 middle = across(directionAt(face.second)) + across(directionAt(face.third));
   const auto agreement = [&](std::size_t step)
-  { return dot(middle, normalized(directionOf(fan, fan.walk[step % fan.walk.size()].column))); };
+  { return dot(middle, across(directionOf(fan, fan.walk[step % fan.walk.size()].column))); };
   std::size_t best = first;
   for (std::size_t step = first + 1; step <= last; ++step)
   {
@@ -92,5 +96,10 @@ Vector3 FanFaces::directionAt(Index vertex) const
 {
   const Index c = set_.ofVertex[vertex];
   return c == None ? Vector3{} : normalized(set_.columns[c].direction);
+}
+Vector3 FanFaces::baseAt(Index vertex) const
+{
+  const Index c = set_.ofVertex[vertex];
+  return c == None ? mesh_.point(vertex) : set_.columns[c].base;
 }
 } // namespace ransmesh

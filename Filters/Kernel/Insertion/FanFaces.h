@@ -70,6 +70,7 @@ private:
   std::size_t nearestStep(const Fan& fan, std::size_t first, std::size_t last, const FrontFace& face) const;
   Vector3 directionOf(const Fan& fan, int number) const;
   Vector3 directionAt(Index vertex) const;
+  Vector3 baseAt(Index vertex) const;
 
   const TetMesh& mesh_;
   const ColumnSet& set_;

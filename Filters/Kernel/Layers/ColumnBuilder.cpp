@@ -12,8 +12,8 @@ namespace ransmesh
 {
 namespace
 {
-// A patch is a side where it rises from the wall at 30 to 150 degrees.
-constexpr double SideRise = 0.5;
+// A patch is a side where it rises from the wall at 30 to 150 degrees, and a little more for what is to be just that.
+constexpr double SideRise = 0.48;
 // Normals of a side's faces that differ by more than this make it curved.
 constexpr double PlaneCosine = 0.99985; // 1 degree
 // Below this cosine between direction and a face's normal the layers would lie flat on the face.
@@ -222,17 +222,17 @@ private:
     {
       return StopReason::Complete;
     }
-    return seesAll ? StopReason::Complete : whyUnseen(s, column.base);
+    return seesAll ? StopReason::Complete : whyUnseen(carrying, column.base);
   }
 
-  // No direction sees all faces. In a wedge the walls are each other's opposite surface, and the gap between them
-  // closes here.
-  StopReason whyUnseen(const Surroundings& s, const Vector3& point) const
+  // No direction sees all faces that the column would stand on. In a wedge these are each other's opposite surface, and
+  // the gap between them closes here.
+  StopReason whyUnseen(const std::vector<FaceAtVertex>& carrying, const Vector3& point) const
   {
     constexpr double wedge = 150 / DegreesOfRadian; // between the walls' normals
     FaceRing ring;
     bool isWedge = false;
-    const std::size_t edges = makeRing(s.walls, ring) ? ring.edgeCount() : 0;
+    const std::size_t edges = makeRing(carrying, ring) ? ring.edgeCount() : 0;
     for (std::size_t i = 0; i < edges && !isWedge; ++i)
     {
       const Turn turn = ring.turnAfter(point, mesh_, i);

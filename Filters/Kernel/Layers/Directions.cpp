@@ -9,7 +9,8 @@ namespace
 {
 // Above this the direction is good enough as it is.
 constexpr double GoodVisibility = 0.7;
-constexpr double LargestScale = 2;
+// Into the tip of a cone of 7 degrees the step is so many times as long as it is high.
+constexpr double LargestScale = 8;
 
 const Vector3& leastVisible(const std::vector<Vector3>& normals, const Vector3& d)
 {
@@ -97,6 +98,6 @@ Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d)
     weight += f.angle;
   }
   const double mean = rise / weight;
-  return std::min(LargestScale, 1 / std::max(mean, 1 / LargestScale)) * d;
+  return (1 / std::max(mean, 1 / LargestScale)) * d;
 }
 } // namespace ransmesh

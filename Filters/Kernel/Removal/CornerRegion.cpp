@@ -5,7 +5,7 @@
 #include "Geometry/Distance.h"
 #include "Layers/TensorCorner.h"
 #include "Mesh/Marks.h"
-#include "Removal/LayerRegion.h"
+#include "Removal/WallReach.h"
 
 #include <algorithm>
 #include <array>

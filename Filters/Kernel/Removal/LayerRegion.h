@@ -26,10 +26,6 @@ struct LayerRegion
   std::vector<float> reach;
 };
 
-// The thickness of the layers where the local isotropic size is the one given: no level counts whose
-// spacing exceeds isotropicFraction * size (section 3 of Loehner's paper).
-double limitedThickness(const LayerHeights& heights, double isotropicFraction, double size);
-
 // Marks what lies within the layers' thickness, limited by the local size, plus margin * size of a wall.
 // Advances from the walls by layers of elements (section 6 of the paper), so that its cost is that of
 // the region alone. The size is that of the wall's triangles.

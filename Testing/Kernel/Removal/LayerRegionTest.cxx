@@ -1,6 +1,7 @@
 #include "Removal/LayerRegion.h"
 
 #include "Removal/RegionPlan.h"
+#include "Removal/WallReach.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
 

@@ -5,6 +5,7 @@
 #include "Bodies/Junctions.h"
 #include "Bodies/Rounds.h"
 #include "Bodies/Sheets.h"
+#include "Bodies/Transitions.h"
 #include "Bodies/Wings.h"
 
 #include <cmath>
@@ -37,6 +38,14 @@ Case thick(Case base, const char* suffix, double thickness)
 {
   base.name += suffix;
   base.thickness = thickness;
+  return base;
+}
+
+// The same with other layers on some patches.
+Case withLayers(Case base, const char* suffix, const PatchLayers& layers)
+{
+  base.name += suffix;
+  base.patchLayers.push_back(layers);
   return base;
 }
 
@@ -121,6 +130,37 @@ void addCurved(std::vector<Case>& cases)
   }
 }
 
+// Where layers of different walls meet, and where walls end.
+void addTransitions(std::vector<Case>& cases)
+{
+  const PatchLayers higher{ "", 5, 1.2, 25 };
+  const PatchLayers fewer{ "", 1, 1.2, 15 };
+  const PatchLayers steeper{ "", 1, 1.3, 20 };
+  for (const auto& [suffix, layers] :
+    { std::pair("-higher", higher), std::pair("-fewer", fewer), std::pair("-steeper", steeper) })
+  {
+    for (const double thickness : { 0.0, 1.0 })
+    {
+      const auto add = [&](const char* body, Body (*make)(double), const char* patch)
+      {
+        PatchLayers other = layers;
+        other.patch = patch;
+        const Case base = plain(body, make, ridges);
+        cases.push_back(withLayers(thickness > 0 ? thick(base, "-thick1", thickness) : base, suffix, other));
+      };
+      add("floors", twoFloors, "aft_wall");
+      add("floor-back", floorAndBack, "back_wall");
+    }
+  }
+  const Case end = plain("floor-end", endingFloor, ridges);
+  cases.push_back(end);
+  cases.push_back(thick(end, "-thick1", 1));
+  Case duct = plain("bulging-duct", bulgingDuct, junctions);
+  duct.volumeChange = 2e-4;
+  cases.push_back(duct);
+  cases.push_back(thick(duct, "-thick1", 1));
+}
+
 void addGaps(std::vector<Case>& cases)
 {
   for (const char* share : { "2", "1", "0.5", "0.1" })
@@ -138,8 +178,17 @@ void addGaps(std::vector<Case>& cases)
     add("plates", twoPlates);
     add("spheres", twoSpheres);
     add("channel", channel);
+    add("slot", slot);
+    add("mirror", wallOverMirror);
   }
-  cases.push_back(plain("cylinder-floor", cylinderOnFloor, gaps));
+  cases.push_back(plain("wedge-mirror", wedgeOverMirror, gaps));
+  for (const PatchType floor : { PatchType::Wall, PatchType::Symmetry })
+  {
+    cases.push_back(plain(
+      floor == PatchType::Wall ? "cylinder-floor" : "cylinder-mirror",
+      [floor](double size) { return cylinderOnFloor(size, floor); }, gaps));
+  }
+  cases.push_back(withLayers(cases[cases.size() - 2], "-two", { "cylinder_wall", 3, 1.3, 15 }));
   cases.push_back(plain("fin-thin", thinFin, ridges));
   cases.push_back(plain("wake-free", freeWake, wakes));
   cases.push_back(plain("wing-wake", wingWithWake, wakes));
@@ -167,6 +216,7 @@ const std::vector<Case>& allCases()
     addCavities(result);
     addSharp(result);
     addCurved(result);
+    addTransitions(result);
     addGaps(result);
     return result;
   }();

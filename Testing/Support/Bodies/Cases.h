@@ -30,6 +30,15 @@ struct Layers
 // Layers of the usual number and growth that are so thick.
 Layers layersOfThickness(double thickness);
 
+// Other layers on a patch. The first height is a multiple of the case's.
+struct PatchLayers
+{
+  std::string patch;
+  double firstHeight = 1;
+  double growth = 1.2;
+  int number = 25;
+};
+
 struct Case
 {
   std::string name;
@@ -38,6 +47,7 @@ struct Case
   double testSize = 0.12; // the same for a quick run
   double thickness = 0;   // of the layers, in edge lengths; 0: Layers as they are
   Goals goals;
+  std::vector<PatchLayers> patchLayers;
   bool copiesAtEachLevel = false; // are copies of all wall triangles to be faces at all levels?
   double volumeChange = 1e-9;     // how much of the fluid's volume may come or go: new chords of curved sides
 

@@ -78,11 +78,11 @@ struct Outline
   }
 };
 
-Outline roomAroundCylinder(SurfaceBuilder& builder, double size)
+Outline roomAroundCylinder(SurfaceBuilder& builder, double size, PatchType floorType)
 {
   constexpr double radius = 0.5;
   constexpr double reach = 2;
-  const int floor = builder.patch("floor_wall", PatchType::Wall);
+  const int floor = builder.patch("floor", floorType);
   const int wheel = builder.patch("cylinder_wall", PatchType::Wall);
   const int outside = builder.patch("farfield", PatchType::FarField);
   const int n = ringDivisions(radius, size);
@@ -191,11 +191,11 @@ Body wingOnFuselage(double size)
   return builder.finish(true);
 }
 
-Body cylinderOnFloor(double size)
+Body cylinderOnFloor(double size, PatchType floor)
 {
   constexpr double width = 0.3;
   SurfaceBuilder builder;
-  const Outline outline = roomAroundCylinder(builder, size);
+  const Outline outline = roomAroundCylinder(builder, size, floor);
   const int mirror = builder.patch("symmetry", PatchType::Symmetry);
   const int across = divisions(width, size);
   for (std::size_t i = 0; i < outline.loop.size(); ++i)

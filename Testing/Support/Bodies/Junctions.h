@@ -12,6 +12,6 @@ Body pipeJunction(double size);
 Body wingOnFuselage(double size);
 
 // The room above a floor on which a cylinder of diameter 1 lies, between two symmetry planes: it touches the floor
-// in a strip one edge wide, beside which the gap closes to nothing.
-Body cylinderOnFloor(double size);
+// in a strip one edge wide, beside which the gap closes to nothing. The floor is a wall or a plane of symmetry.
+Body cylinderOnFloor(double size, ransmesh::PatchType floor);
 } // namespace bodies

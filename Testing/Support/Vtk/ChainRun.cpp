@@ -1,5 +1,6 @@
 #include "Vtk/ChainRun.h"
 
+#include "Bodies/Cases.h"
 #include "Boundary/SheetSides.h"
 #include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Validation.h"
@@ -193,7 +194,7 @@ void judge(vtkPolyData* boundary, const ChainOptions& options, ChainResult& resu
   vtkDataArray* column = result.mesh->GetPointData()->GetArray(contract::ColumnId);
   countCopies(mesh, column, options.layers, result);
   result.areaWithFirstHeight = areaWithFirstHeight(mesh, plan);
-  result.growthOff = growthOff(mesh, column, options.growth, options.layers);
+  result.growthOff = growthOff(mesh, column, plan);
 }
 } // namespace
 
@@ -217,6 +218,10 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   {
     removal->AddWallPatch(pattern.c_str());
   }
+  for (const PatchLayers& p : options.patchLayers)
+  {
+    removal->SetPatchLayers(p.pattern.c_str(), p.firstHeight, p.growth, p.layers);
+  }
   enrichment->SetInputConnection(removal->GetOutputPort());
   mesher->ReleaseDataFlagOn();
   removal->ReleaseDataFlagOn();
@@ -236,6 +241,27 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   return result;
 }
 } // namespace
+
+ChainOptions optionsFor(const bodies::Case& c, const bodies::Layers& layers, const bodies::Body& body)
+{
+  ChainOptions options;
+  options.firstHeight = layers.firstHeight;
+  options.growth = layers.growth;
+  options.layers = layers.number;
+  for (const bodies::PatchLayers& p : c.patchLayers)
+  {
+    options.patchLayers.push_back({ p.patch, p.firstHeight * layers.firstHeight, p.growth, p.number });
+  }
+  // Where some are named, all walls must be.
+  for (std::size_t i = 1; i < body.patches.size() && !c.patchLayers.empty(); ++i)
+  {
+    if (body.patches[i].type == ransmesh::PatchType::Wall)
+    {
+      options.walls.push_back(body.patches[i].name);
+    }
+  }
+  return options;
+}
 
 ChainResult runChain(vtkPolyData* surface, const ChainOptions& options)
 {

@@ -11,12 +11,22 @@
 namespace bodies
 {
 struct Body;
-}
+struct Case;
+struct Layers;
+} // namespace bodies
 class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace chain_run
 {
+struct PatchLayers
+{
+  std::string pattern;
+  double firstHeight = 0;
+  double growth = 1.2;
+  int layers = 25;
+};
+
 struct ChainOptions
 {
   bool farField = false;
@@ -24,9 +34,13 @@ struct ChainOptions
   double firstHeight = 1e-5;
   double growth = 1.2;
   int layers = 25;
+  std::vector<PatchLayers> patchLayers;
   double surfaceSize = 0; // to which the surface is remeshed; 0: kept
   double swapAngle = 10;  // how far swaps of the surface's diagonals may turn it, degrees; 0: all are kept
 };
+
+// The layers of a case on its body.
+ChainOptions optionsFor(const bodies::Case& c, const bodies::Layers& layers, const bodies::Body& body);
 
 struct ChainResult
 {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -27,8 +28,26 @@ double areaWithFirstHeight(const ransmesh::MeshData& mesh, const ransmesh::Layer
   return area > 0 ? good / area : 0;
 }
 
-double growthOff(const ransmesh::MeshData& mesh, vtkDataArray* column, double growth, int layers)
+namespace
 {
+double offTheRates(double growth, const ransmesh::LayerPlan& plan)
+{
+  double off = std::numeric_limits<double>::infinity();
+  for (const ransmesh::LayerSpecification& specification : plan)
+  {
+    off = specification.hasLayers() ? std::min(off, std::fabs(growth / specification.growthRate - 1)) : off;
+  }
+  return off;
+}
+} // namespace
+
+double growthOff(const ransmesh::MeshData& mesh, vtkDataArray* column, const ransmesh::LayerPlan& plan)
+{
+  int layers = 0;
+  for (const ransmesh::LayerSpecification& specification : plan)
+  {
+    layers = std::max(layers, specification.numberOfLayers);
+  }
   std::map<int, std::vector<std::size_t>> pointsOf; // from the wall outward
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
   {
@@ -51,7 +70,7 @@ double growthOff(const ransmesh::MeshData& mesh, vtkDataArray* column, double gr
     {
       const double last = distance(mesh.points[points[i - 2]], mesh.points[points[i - 1]]);
       const double next = distance(mesh.points[points[i - 1]], mesh.points[points[i]]);
-      off.push_back(std::fabs(next / last / growth - 1));
+      off.push_back(offTheRates(next / last, plan));
     }
   }
   if (off.empty())
