@@ -1,12 +1,16 @@
 #include "Bodies/BrokenBodies.h"
 
+#include "Bodies/CrossedTriangles.h"
 #include "Bodies/CubeSide.h"
+#include "Bodies/Rounds.h"
+#include "Bodies/Wings.h"
 
 #include "Triangles/SurfaceEdges.h"
 #include "Triangles/SurfaceRepair.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace bodies
@@ -99,6 +103,22 @@ std::set<Index> trianglesAt(const SurfaceMesh& s, Index v)
     }
   }
   return all;
+}
+
+Index pointAt(const SurfaceMesh& s, const Vector3& place)
+{
+  const auto isThere = [&place](const Vector3& p) { return distance(p, place) < 1e-12; };
+  return static_cast<Index>(std::find_if(s.points.begin(), s.points.end(), isThere) - s.points.begin());
+}
+
+std::set<Index> trianglesAtEdge(const SurfaceMesh& s, const Vector3& from, const Vector3& to)
+{
+  const std::set<Index> atFrom = trianglesAt(s, pointAt(s, from));
+  const std::set<Index> atTo = trianglesAt(s, pointAt(s, to));
+  std::set<Index> both;
+  std::set_intersection(
+    atFrom.begin(), atFrom.end(), atTo.begin(), atTo.end(), std::inserter(both, both.end()));
+  return both;
 }
 
 std::set<Index> trianglesAtOpenEdges(const SurfaceMesh& s)
@@ -247,35 +267,39 @@ void addGaps(std::vector<BrokenBody>& all)
 
 void addCrossings(std::vector<BrokenBody>& all)
 {
-  const auto add = [&all](const std::string& name, const Body& body, const std::set<Index>& marks) {
-    all.push_back({ "crossing-" + name, body, SurfaceFault::Intersection, 0, marks, false, End::Wrapped });
+  const auto add = [&all](const std::string& name, const Body& body, bool onlyCrosses = true)
+  {
+    all.push_back({ "crossing-" + name, body, SurfaceFault::Intersection, 0, crossedTriangles(body.surface),
+      onlyCrosses, End::Wrapped });
   };
-  add("balls", together(ball(), moved(ball(), { 0.9, 0.1, 0.05 })), {});
-  add("ball-and-cube", together(cube(), moved(ball(), { 1, 0.13, 0.07 }, 0.5)), {});
+  add("balls", together(ball(), moved(ball(), { 0.9, 0.1, 0.05 })));
+  add("ball-and-cube", together(cube(), moved(ball(), { 1.03, 0.13, 0.07 }, 0.5)));
   Body beam = cube(1);
   for (Vector3& p : beam.surface.points)
   {
     p = { 1.7 * p.x + 0.03, 0.3 * p.y + 0.07, 0.3 * p.z };
   }
-  add("beam", together(ball(), beam), {});
-  add("sides-overlap", together(cube(), moved(cube(), { 2, 0.3, 0.2 })), {});
+  add("beam", together(ball(), beam));
+  add("sides-overlap", together(cube(), moved(cube(), { 2, 0.3, 0.2 })), false); // others touch
 
   Body pierced = ball();
-  pierced.surface.points[30] = -1.4 * pierced.surface.points[30];
-  add("point-through-the-ball", pierced, trianglesAt(pierced.surface, 30));
+  pierced.surface.points[30] = -1.4 * pierced.surface.points[30] + Vector3{ 0.05, 0.03, 0.02 };
+  add("point-through-the-ball", pierced);
   Body cornered = cube();
   cornered.surface.points[0] = { 1.2, 0.9, 1.1 };
-  add("point-through-the-cube", cornered, trianglesAt(cornered.surface, 0));
+  add("point-through-the-cube", cornered);
 }
 
 void addTouching(std::vector<BrokenBody>& all)
 {
   Body edge = together(cube(1), moved(cube(1), { 2, 2, 0 }));
   ransmesh::mergeEqualPoints(edge.surface);
-  all.push_back({ "touching-in-an-edge", edge, SurfaceFault::NonManifoldEdge, 1, {}, false, End::Meshed });
+  all.push_back({ "touching-in-an-edge", edge, SurfaceFault::NonManifoldEdge, 1,
+    trianglesAtEdge(edge.surface, { 1, 1, -1 }, { 1, 1, 1 }), true, End::Meshed });
   Body point = together(cube(1), moved(cube(1), { 2, 2, 2 }));
   ransmesh::mergeEqualPoints(point.surface);
-  all.push_back({ "touching-in-a-point", point, SurfaceFault::NonManifoldPoint, 1, {}, false, End::Meshed });
+  all.push_back({ "touching-in-a-point", point, SurfaceFault::NonManifoldPoint, 1,
+    trianglesAt(point.surface, pointAt(point.surface, { 1, 1, 1 })), true, End::Meshed });
   const Body near = together(cube(), moved(cube(), { 2 + 1e-7, 0, 0 }));
   all.push_back({ "near-sheets", near, SurfaceFault::NearSheets, 0,
     triangleRange(2 * Divisions * Divisions, 4 * Divisions * Divisions), false, End::MeshedOrRefused });
@@ -301,13 +325,64 @@ void addDegenerate(std::vector<BrokenBody>& all)
   all.push_back({ "degenerate-collapsed", collapsed, SurfaceFault::Degenerate, 1,
     { static_cast<Index>(collapsed.surface.triangles.size()) - 1 }, true, End::Meshed });
 }
+// The triangle whose middle comes nearest to a place.
+Index triangleNear(const SurfaceMesh& s, const Vector3& place)
+{
+  Index best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+  {
+    const auto& v = s.triangles[t];
+    const Vector3 middle = (1.0 / 3) * (s.points[v[0]] + s.points[v[1]] + s.points[v[2]]);
+    if (distance(middle, place) < least)
+    {
+      least = distance(middle, place);
+      best = static_cast<Index>(t);
+    }
+  }
+  return best;
+}
+
+// A triangle dropped, duplicated, turned, not finite, and a point moved through the opposite wall, where the body is
+// sharp or thin.
+void addSharp(const std::string& name, const Body& body, const Vector3& place, const Vector3& away,
+  std::vector<BrokenBody>& all)
+{
+  const Index t = triangleNear(body.surface, place);
+  const Body dropped = without(body, [t](Index other) { return other == t; });
+  all.push_back({ "dropped-" + name, dropped, SurfaceFault::OpenEdge, 3,
+    trianglesAtOpenEdges(dropped.surface), true, End::Filled });
+  Body twice = body;
+  const auto last = static_cast<Index>(twice.surface.triangles.size());
+  twice.surface.triangles.push_back(twice.surface.triangles[t]);
+  twice.surface.patch.push_back(twice.surface.patch[t]);
+  all.push_back({ "duplicate-" + name, twice, SurfaceFault::Duplicate, 1, { t, last }, true, End::Meshed });
+  Body turned = body;
+  std::swap(turned.surface.triangles[t][0], turned.surface.triangles[t][1]);
+  all.push_back({ "flipped-" + name, turned, SurfaceFault::Turned, 3, { t }, true, End::Meshed });
+  const Index v = body.surface.triangles[t][0];
+  Body missing = body;
+  missing.surface.points[v].x = std::numeric_limits<double>::quiet_NaN();
+  all.push_back({ "coordinate-" + name, missing, SurfaceFault::NotFinite, 1, trianglesAt(missing.surface, v),
+    true, End::Refused });
+  Body pierced = body;
+  pierced.surface.points[v] = pierced.surface.points[v] + away;
+  all.push_back({ "crossing-point-through-the-" + name, pierced, SurfaceFault::Intersection, 0,
+    crossedTriangles(pierced.surface), true, End::Wrapped });
+}
+
+void addSharpBodies(std::vector<BrokenBody>& all)
+{
+  addSharp("wing", wing(0.1, TrailingEdge::Sharp, Tip::Flat), { 0.5, 0.5, 0.06 }, { 0, 0, -0.2 }, all);
+  addSharp("cone", cone(0.15), { 0, 0, 0 }, { 0.4, 0.3, 0.1 }, all);
+}
 } // namespace
 
 std::vector<BrokenBody> brokenBodies()
 {
   std::vector<BrokenBody> all;
   for (const auto add : { addDropped, addDuplicates, addFlipped, addShifted, addNotFinite, addGaps,
-         addCrossings, addTouching, addDegenerate })
+         addCrossings, addTouching, addDegenerate, addSharpBodies })
   {
     add(all);
   }
