@@ -250,11 +250,12 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
   TetGenEnd end;
   for (const Variant& variant : Variants)
   {
-    if (end.endless && variant.refines)
+    if (variant.refines && (result.isEndless || !options.refine))
     {
       continue;
     }
     end = attempt.run(variant, steady, result);
+    result.isEndless = result.isEndless || end.endless;
     ++attempts;
     const bool isFinal = end.exhausted || end.outcome.kind == Outcome::Kind::Cancelled;
     if (end.outcome.ok() || isFinal || !result.problems.empty())
@@ -266,9 +267,13 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
   if (end.outcome.ok() && !failures.empty())
   {
     result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
-      result.switches +
-      (result.switches.ends_with("D1") ? " (without refining: sizes and quality are poor)" : "") +
-      "; before:" + failures);
+      result.switches + "; before:" + failures);
+  }
+  if (end.outcome.ok() && result.switches.ends_with("D1"))
+  {
+    result.remarks.emplace_back(
+      "The mesh is made without refining, as the last resort: sizes and "
+      "quality are poor. SurfaceEdgeLength (ransmesh --surface-size) remeshes the surface");
   }
   const bool isUnexplained = end.outcome.kind == Outcome::Kind::BadInput && result.problems.empty();
   return isUnexplained && !end.exhausted ? explainFailure(end.outcome, attempts, domain, context, result)

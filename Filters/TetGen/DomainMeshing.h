@@ -15,12 +15,14 @@ struct MeshingOptions
   SizeLimits limits;            // sizes that are asked for in space; its slope holds for the surface too
   double radiusEdgeRatio = 1.4; // the largest that is wanted
   double minimumDihedral = 10;  // degrees, wanted
+  bool refine = true;           // false: only the last resort is tried, which inserts no points
 };
 
 struct MeshingResult
 {
   MeshData mesh;
   std::string switches;             // of the TetGen run that made it
+  bool isEndless = false;           // refining did not come to an end
   std::vector<std::string> remarks; // what the user should know
   // On failure: the triangles that are wrong, where they are known.
   SurfaceMesh problemSurface;

@@ -181,17 +181,19 @@ Outcome refineAndMesh(const MesherSettings& settings, const Domain& domain, cons
   Mending mending = settings.improveTriangles ? Mending::SwapsAndSplits : Mending::None;
   Trial trial = tryMending(settings, mending, domain, worker, context);
   std::optional<Trial> withFlats; // better than nothing
+  MesherSettings now = settings;
   for (auto next = lessThan(mending, trial.triangles); next && mayTryAgain(trial);
        next = lessThan(mending, trial.triangles))
   {
     std::vector<std::string> remarks = trial.remarks;
     remarks.push_back(sentenceAfter(trial, *next));
+    now.meshing.refine = now.meshing.refine && !trial.meshed.isEndless; // with less mending neither
     if (trial.outcome.ok() && !withFlats)
     {
       withFlats = std::move(trial);
     }
     mending = *next;
-    trial = tryMending(settings, mending, domain, worker, context);
+    trial = tryMending(now, mending, domain, worker, context);
     trial.remarks.insert(trial.remarks.begin(), remarks.begin(), remarks.end());
   }
   Trial& given = withFlats && mayTryAgain(trial) ? *withFlats : trial;

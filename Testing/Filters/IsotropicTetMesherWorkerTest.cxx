@@ -14,9 +14,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include <unistd.h>
 
@@ -48,14 +50,15 @@ protected:
     this->Mesher->SetWorkerExecutable(this->Script.c_str());
   }
 
-  // A worker that gives up the first times, and then does what it should.
-  std::string FailingAtFirst(int times) const
+  // A worker that gives up the first times, and then does what it should. `first`: its status the very first time.
+  std::string FailingAtFirst(int times, int first = 43) const
   {
     const std::filesystem::path program =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "ransmesh-tetgen-worker";
     const std::string runs = this->Script.string() + ".runs";
     std::filesystem::remove(runs);
-    return "echo run >> " + runs + "\nif [ $(wc -l < " + runs + ") -le " + std::to_string(times) +
+    return "echo run >> " + runs + "\nif [ $(wc -l < " + runs + ") -le 1 ]; then exit " +
+      std::to_string(first) + "; fi\nif [ $(wc -l < " + runs + ") -le " + std::to_string(times) +
       " ]; then exit 43; fi\nexec " + program.string() + " \"$@\"";
   }
 
@@ -79,6 +82,13 @@ protected:
     return vtkStringArray::SafeDownCast(
       this->Mesher->GetOutput()->GetFieldData()->GetAbstractArray(ransmesh::contract::MesherSwitches))
       ->GetValue(0);
+  }
+
+  // How often it was called.
+  int Runs() const
+  {
+    std::ifstream runs(this->Script.string() + ".runs");
+    return static_cast<int>(std::count(std::istreambuf_iterator<char>(runs), {}, '\n'));
   }
 
   double Count(const char* name)
@@ -223,6 +233,18 @@ TEST_F(Worker, GetsTheSurfaceAsGivenWhereItDoesNotMeshTheMendedOne)
   EXPECT_TRUE(contains(this->Warning(), "they are kept as they were given"));
   EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSwaps), 0);
   EXPECT_EQ(this->Count(ransmesh::contract::SurfaceSplits), 0);
+}
+
+TEST_F(Worker, RefiningWithoutEndIsNotLeftToRefineAgain)
+{
+  this->Mesher->SetInputDataObject(obtuseCube());
+  this->UseScript(
+    this->FailingAtFirst(2, 5)); // without end; then, without refining, the mended surface fails
+  const std::string warning = this->Warning();
+  EXPECT_TRUE(contains(warning, "made without refining")) << warning;
+  EXPECT_TRUE(contains(warning, "--surface-size")) << warning;
+  EXPECT_TRUE(contains(this->Switches(), "D1"));
+  EXPECT_EQ(this->Runs(), 3);
 }
 
 TEST_F(Worker, FailingAlwaysShowsNearSheets)

@@ -135,15 +135,17 @@ public:
     if (++questions_ == 1) // TetGen asks about sizes when the surface is recovered
     {
       endRecovery();
+      began_ = processorTime();
     }
     if (questions_ % 16 != 0) // among needles one answer may take TetGen a second
     {
       return;
     }
-    constexpr double patience = 60;   // seconds of processor time
-    constexpr double leastRate = 200; // points a second; sound meshes take 20000
-    const double seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-    if (seconds > patience && seen_ - givenPoints_ < leastRate * seconds)
+    constexpr double patience = 10;           // seconds
+    constexpr double patiencePerPoint = 2e-4; // to look at what is given
+    constexpr double leastRate = 200;         // points a second; sound meshes take 20000
+    const double seconds = processorTime() - began_;
+    if (seconds > patience + patiencePerPoint * givenPoints_ && seen_ - givenPoints_ < leastRate * seconds)
     {
       giveUp();
     }
@@ -156,6 +158,8 @@ private:
     std::array<double, 3> place{};
     double size = 0;
   };
+
+  static double processorTime() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
   static std::vector<SizePoint> pointsOf(const Request& request)
   {
@@ -195,6 +199,7 @@ private:
   double givenPoints_;
   double seen_ = 0;
   long questions_ = 0;
+  double began_ = 0; // refining, in processor time
 };
 
 // TetGen's callback has no place for data of the caller.
