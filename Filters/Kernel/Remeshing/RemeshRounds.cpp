@@ -1,6 +1,7 @@
 #include "Remeshing/RemeshRounds.h"
 
 #include "Remeshing/RemeshGuard.h"
+#include "Remeshing/RemeshMeasures.h"
 #include "Remeshing/RemeshSizes.h"
 
 #include <algorithm>
@@ -25,6 +26,21 @@ constexpr double NarrowLongEdge = 2;
 constexpr double LittleLonger = 1.1;
 constexpr double LeastGain = 1e-3; // degrees, of the smallest angle by a swap
 constexpr double NearShare = 0.5;  // of an edge: farther points of the given surface are not what was divided
+
+// A flag a point: those of kept patches.
+std::vector<char> keptPoints(const SurfaceMesh& given, const std::vector<char>& patches)
+{
+  std::vector<char> keep(given.points.size(), 0);
+  for (std::size_t t = 0; t < given.triangles.size(); ++t)
+  {
+    const auto patch = static_cast<std::size_t>(given.patch[t]);
+    for (const Index v : given.triangles[t])
+    {
+      keep[v] = keep[v] || (patch < patches.size() && patches[patch]);
+    }
+  }
+  return keep;
+}
 
 class Remeshing
 {
@@ -81,55 +97,12 @@ public:
 
   SurfaceMesh result() const { return surface_.result(); }
 
-  void report(RemeshingReport& report) const
-  {
-    const SurfaceMesh made = result();
-    report.trianglesBefore = reference_.surface().triangles.size();
-    report.trianglesAfter = made.triangles.size();
-    measureAngles(made, report);
-    const SurfaceReference back(EditableSurface(made, options_.featureAngle));
-    const SurfaceDeviation there = deviationFrom(reference_, made);
-    const SurfaceDeviation here = deviationFrom(back, reference_.surface());
-    report.largestDeviation = std::max(there.largest, here.largest);
-    report.deviationPlace = there.largest > here.largest ? there.place : here.place;
-    report.meanDeviation = std::max(there.mean, here.mean);
-  }
+  const SurfaceReference& reference() const { return reference_; }
 
 private:
   // An edge by its need, the greatest first; a < b.
   using Entry = std::tuple<double, Index, Index>;
   using Queue = std::priority_queue<Entry>;
-
-  static std::vector<char> keptPoints(const SurfaceMesh& given, const std::vector<char>& patches)
-  {
-    std::vector<char> keep(given.points.size(), 0);
-    for (std::size_t t = 0; t < given.triangles.size(); ++t)
-    {
-      const auto patch = static_cast<std::size_t>(given.patch[t]);
-      for (const Index v : given.triangles[t])
-      {
-        keep[v] = keep[v] || (patch < patches.size() && patches[patch]);
-      }
-    }
-    return keep;
-  }
-
-  static void measureAngles(const SurfaceMesh& made, RemeshingReport& report)
-  {
-    std::vector<double> angles;
-    angles.reserve(made.triangles.size());
-    for (const Corners& t : made.triangles)
-    {
-      angles.push_back(smallestAngle(made, t));
-    }
-    if (!angles.empty())
-    {
-      const auto low = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 100);
-      std::nth_element(angles.begin(), low, angles.end());
-      report.lowAngle = *low;
-      report.smallestAngle = *std::min_element(angles.begin(), low + 1);
-    }
-  }
 
   double lengthOf(Index a, Index b) const { return distance(surface_.point(a), surface_.point(b)); }
   double wantedAt(Index a, Index b) const { return 0.5 * (sizes_[a] + sizes_[b]); }
@@ -406,8 +379,8 @@ Outcome remeshInRounds(const SurfaceMesh& given, const RemeshingOptions& options
   Outcome outcome = remeshing.run();
   if (outcome.ok())
   {
-    remeshing.report(report);
     made = remeshing.result();
+    report = measureRemeshing(remeshing.reference(), made, options.featureAngle);
   }
   return outcome;
 }

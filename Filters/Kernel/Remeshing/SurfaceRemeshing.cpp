@@ -1,6 +1,7 @@
 #include "Remeshing/SurfaceRemeshing.h"
 
 #include "Remeshing/RemeshRounds.h"
+#include "Triangles/NearTriangles.h"
 #include "Triangles/SurfaceEdges.h"
 #include "Triangles/SurfaceIntersections.h"
 #include "Triangles/SurfaceRepair.h"
@@ -13,9 +14,10 @@ namespace ransmesh
 namespace
 {
 // Where two sheets are nearer to each other than the surface may move, as by sharp edges between curved patches, they
-// may cut each other afterwards, or lie upon each other: then it is remeshed again with a quarter of the deviation
-// allowed.
-constexpr int MostAttempts = 3;
+// may cut each other afterwards, lie upon each other, or nearly touch: then it is remeshed again with a quarter of the
+// deviation allowed.
+constexpr int MostAttempts = 5;
+constexpr double NearlyTouching = 1e-6; // of the largest extent
 
 // Are there two triangles with a common edge that lie upon each other, but for rounding?
 bool isFolded(const SurfaceMesh& surface)
@@ -44,6 +46,11 @@ bool cutsItself(const SurfaceMesh& surface)
   }
   return isFolded(surface) || !findIntersections(surface, 1).empty();
 }
+bool nearlyTouchesItself(const SurfaceMesh& surface)
+{
+  const double distance = NearlyTouching * extentOf(surface.points).largestLength();
+  return !findNearTriangles(surface, distance, 1).empty();
+}
 } // namespace
 
 Outcome remeshSurface(
@@ -57,7 +64,8 @@ Outcome remeshSurface(
     {
       return outcome;
     }
-    if (attempt + 1 == MostAttempts || !cutsItself(made))
+    const bool isWorse = cutsItself(made) || (nearlyTouchesItself(made) && !nearlyTouchesItself(surface));
+    if (attempt + 1 == MostAttempts || !isWorse)
     {
       surface = std::move(made);
       break;

@@ -65,8 +65,9 @@ struct RemeshingReport
 // lines, on which points lie too; where two lines run side by side nearer than the wanted edges, edges follow the
 // width of the strip between them, down to a tenth of what is wanted. Where lines end, meet or bend by more than the
 // angle, points stay. No triangle turns from the given surface by more than 30 degrees, or lies farther from it than
-// the options say, unless it did so before. Where the surface cuts itself afterwards, it is done again with a quarter
-// of the deviation allowed, twice at most; whether it cuts itself then is to be checked.
+// the options say, unless it did so before. Where the surface cuts itself afterwards, or nearly touches itself and did
+// not before, it is done again with a quarter of the deviation allowed, four times at most; whether it cuts itself
+// then is to be checked.
 // BadInput, with the surface unchanged, where it would have more than 20 million triangles.
 Outcome remeshSurface(SurfaceMesh& surface, const RemeshingOptions& options, RemeshingReport& report,
   const Context& context = {});

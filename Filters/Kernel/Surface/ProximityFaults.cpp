@@ -1,8 +1,8 @@
 #include "Surface/ProximityFaults.h"
 
 #include "Geometry/Distance.h"
+#include "Triangles/NearTriangles.h"
 #include "Triangles/SurfaceIntersections.h"
-#include "Triangles/TriangleBoxes.h"
 
 #include <algorithm>
 #include <limits>
@@ -15,7 +15,6 @@ namespace
 using Pair = std::pair<Index, Index>;
 
 constexpr std::size_t MostPairs = 1000000; // more would say no more and fill the memory
-constexpr double PartOfEdge = 0.1;
 
 // The findings about the pairs: each triangle once, with the first that it meets.
 std::vector<SurfaceFinding> findingsOf(SurfaceFault kind, const std::vector<Pair>& pairs)
@@ -86,48 +85,6 @@ private:
   double least_ = 0;
   Vector3 place_;
 };
-
-class NearTest
-{
-public:
-  NearTest(const SurfaceMesh& surface, double distance)
-    : surface_(surface)
-    , distance_(distance)
-  {
-  }
-
-  bool isNear(Index s, Index t) const
-  {
-    const auto& u = surface_.triangles[s];
-    const auto& v = surface_.triangles[t];
-    for (const Index corner : u)
-    {
-      if (corner == v[0] || corner == v[1] || corner == v[2])
-      {
-        return false;
-      }
-    }
-    const double limit = std::min({ distance_, PartOfEdge * shortestSide(u), PartOfEdge * shortestSide(v) });
-    return comesWithin(limit, u, v) || comesWithin(limit, v, u);
-  }
-
-private:
-  double shortestSide(const std::array<Index, 3>& t) const
-  {
-    const auto& p = surface_.points;
-    return std::min({ distance(p[t[0]], p[t[1]]), distance(p[t[1]], p[t[2]]), distance(p[t[2]], p[t[0]]) });
-  }
-
-  bool comesWithin(double limit, const std::array<Index, 3>& u, const std::array<Index, 3>& v) const
-  {
-    const auto& p = surface_.points;
-    return std::any_of(u.begin(), u.end(),
-      [&](Index c) { return distanceToTriangle(p[c], p[v[0]], p[v[1]], p[v[2]]) <= limit; });
-  }
-
-  const SurfaceMesh& surface_;
-  double distance_;
-};
 } // namespace
 
 Fault findCrossings(const SurfaceMesh& surface)
@@ -154,21 +111,9 @@ Fault findNearSheets(
 {
   Fault fault;
   fault.kind = SurfaceFault::NearSheets;
-  std::vector<TriangleBox> boxes = boxesAround(surface, distance / 2);
-  const NearTest test(surface, distance);
-  const auto examine = [&](const TriangleBox& x, const TriangleBox& y)
-  {
-    const auto s = static_cast<Index>(x.handle() - surface.triangles.data());
-    const auto t = static_cast<Index>(y.handle() - surface.triangles.data());
-    const Pair pair(std::min(s, t), std::max(s, t));
-    if (fault.pairs.size() < MostPairs && test.isNear(s, t) &&
-      !std::binary_search(crossing.begin(), crossing.end(), pair))
-    {
-      fault.pairs.push_back(pair);
-    }
-  };
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), examine);
-  std::sort(fault.pairs.begin(), fault.pairs.end());
+  fault.pairs = findNearTriangles(surface, distance, MostPairs);
+  std::erase_if(fault.pairs,
+    [&crossing](const Pair& pair) { return std::binary_search(crossing.begin(), crossing.end(), pair); });
   fault.count = fault.pairs.size();
   fault.findings = findingsOf(fault.kind, fault.pairs);
   fault.where = fault.count > 0 ? centreOf(surface, fault.pairs[0].first) : Vector3();
