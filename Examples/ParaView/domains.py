@@ -60,6 +60,7 @@ def show_patches(view, mesh, numbers, colors):
         display.Representation = "Surface With Edges"
         display.ColorArrayName = ["POINTS", ""]  # of one colour
         display.AmbientColor = display.DiffuseColor = color
+        display.EdgeColor = [0.35 * c for c in color]
 
 
 def save_picture(mesh, plane, below, path):
@@ -70,14 +71,16 @@ def save_picture(mesh, plane, below, path):
     view.Background = [1, 1, 1]
     numbers = patch_numbers(mesh)
     shown = [n for name, n in numbers.items() if not name.startswith("farfield") and name not in ("inlet", "outlet")]
-    shown.sort(key=lambda n: n == numbers.get(plane))
-    show_patches(view, mesh, shown, [[0.55, 0.6, 0.75]] * (len(shown) - 1) + [[0.75, 0.85, 0.75]])
+    walls = [n for n in shown if n not in (numbers.get("symmetry"), numbers.get("waterline"), numbers.get("ground"))]
+    show_patches(view, mesh, walls, [[0.55, 0.6, 0.75]] * len(walls))
     view.CameraPosition = [-3, -4, -2 if below else 3]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
-    ResetCamera(view)
     view.CameraParallelProjection = 1
-    view.CameraParallelScale *= 0.25 if plane else 0.7
+    ResetCamera(view)  # fills the picture with the walls
+    view.CameraParallelScale *= 1.2 if plane else 0.7
+    planes = [n for n in shown if n not in walls]
+    show_patches(view, mesh, planes, [[0.75, 0.85, 0.75]] * len(planes))
     Render(view)
     SaveScreenshot(path, view)
 

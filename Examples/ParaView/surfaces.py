@@ -120,7 +120,7 @@ def remesh(surface, folder, value):
     for name, source in (("given", surface), ("remesh", remeshed)):
         view = new_view()
         show(view, source, BLUE)
-        save(view, os.path.join(folder, name + ".png"), zoom=2)
+        save(view, os.path.join(folder, name + ".png"), zoom=1.5)
     mesh = IsotropicTetMesher(Input=remeshed, FarField=1, FarFieldMargins=[2] * 6)  # noqa: F821
     UpdatePipeline(proxy=mesh)
     return layered(mesh, 1e-5 * size)
