@@ -94,7 +94,7 @@ TEST_F(BadInput, NotFinite)
   auto points = TetPoints;
   points[2][1] = std::numeric_limits<double>::quiet_NaN();
   const std::string text = this->ErrorFor(TestSurfaces::Triangles(points, TetFaces));
-  EXPECT_TRUE(contains(text, "1 point is not finite")) << text;
+  EXPECT_TRUE(contains(text, "1 point that is not finite")) << text;
   EXPECT_EQ(this->Problems()->GetNumberOfCells(), 3);
 }
 

@@ -119,7 +119,7 @@ std::string countText(const Fault& fault)
   switch (fault.kind)
   {
     case SurfaceFault::NotFinite:
-      return counted(n, "point is", "points are") +
+      return counted(n, "point that is", "points that are") +
         " not finite, or too far away to compute with (limit 1e50; check the units)";
     case SurfaceFault::Degenerate:
       return counted(n, "degenerate triangle", "degenerate triangles") + " (no area)";

@@ -3,6 +3,7 @@
 #include "Surface/Borders.h"
 #include "Surface/DiagnosisText.h"
 #include "Surface/Stitching.h"
+#include "Surface/TopologyFaults.h"
 #include "Surface/Welding.h"
 #include "Surface/Wrapping.h"
 #include "Triangles/SurfaceRepair.h"
@@ -173,6 +174,35 @@ std::string wrapping(const SurfaceMesh& surface)
   return "wrap it by vtkSurfaceWrap with an Alpha of " + alpha + " (ransmesh --wrap " + alpha + ")";
 }
 
+// What has open edges, where the rest is closed without it, may be meant as a sheet.
+std::string sheetMeaning(
+  const SurfaceMesh& surface, const PatchTable& patches, const std::vector<AxisPlane>& closedBy)
+{
+  SurfaceMesh merged = surface;
+  mergeEqualPoints(merged);
+  std::vector<char> isOpen(patches.size(), 0);
+  for (const SurfaceFinding& finding : findOpenEdges(merged, closedBy).findings)
+  {
+    isOpen[merged.patch[finding.triangle]] = 1;
+  }
+  std::vector<char> stays;
+  for (const int patch : merged.patch)
+  {
+    stays.push_back(!isOpen[patch]);
+  }
+  SurfaceMesh rest = merged;
+  keepTriangles(rest, stays);
+  const auto count = std::count(isOpen.begin(), isOpen.end(), 1);
+  if (rest.triangles.empty() || findOpenEdges(rest, closedBy).count > 0 || count > 1)
+  {
+    return "";
+  }
+  const auto patch = std::find(isOpen.begin(), isOpen.end(), 1) - isOpen.begin();
+  return ". Or, if '" + patches[patch].name +
+    "' is a wake or a wall without thickness, take it out and give it as a sheet by the second input "
+    "(ransmesh --wake)";
+}
+
 SurfaceVerdict refusal(const SurfaceMesh& surface, const PatchTable& patches, const Diagnosis& diagnosis,
   const std::vector<AxisPlane>& closedBy)
 {
@@ -233,7 +263,9 @@ std::string proposeRemedy(const SurfaceMesh& surface, const PatchTable& patches,
   if (diagnosis.find(SurfaceFault::OpenEdge))
   {
     const std::string repair = workingRepair(surface, patches, closedBy);
-    return repair.empty() ? "close the surface where it was made, or " + wrapping(surface) : repair;
+    return !repair.empty() ? repair
+                           : "close the surface where it was made, or " + wrapping(surface) +
+        sheetMeaning(surface, patches, closedBy);
   }
   if (diagnosis.find(SurfaceFault::Intersection))
   {

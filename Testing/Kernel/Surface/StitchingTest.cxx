@@ -99,6 +99,20 @@ TEST(Remedy, NamesThePlaneInWhichHalfModelsEnd)
   EXPECT_NE(remedy.find("(ransmesh --symmetry-plane y=-1)"), std::string::npos) << remedy;
 }
 
+TEST(Remedy, TellsAPatchThatMayBeASheet)
+{
+  SurfaceMesh withFin = cube(4);
+  const auto first = static_cast<Index>(withFin.points.size());
+  withFin.points.insert(withFin.points.end(), { { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 } });
+  withFin.triangles.push_back({ first, first + 1, first + 2 });
+  withFin.patch.push_back(7);
+  PatchTable patches = sixPatches();
+  patches.resize(8);
+  patches[7].name = "fin";
+  const std::string remedy = proposeRemedy(withFin, patches, diagnose(withFin, {}, {}));
+  EXPECT_NE(remedy.find("if 'fin' is a wake"), std::string::npos) << remedy;
+}
+
 TEST(Stitching, LeavesAnOpenSurfaceAlone)
 {
   SurfaceMesh surface = boxWithLid(4, 7, 0.3);

@@ -1,7 +1,7 @@
 // Which triangles of a surface cross others: by comparing all pairs, in plain words, to check a cleverer search by.
 #pragma once
 
-#include "Boundary/SurfaceMesh.h"
+#include "Triangles/SurfaceMesh.h"
 
 #include <set>
 
