@@ -63,8 +63,8 @@ def show_patches(view, mesh, numbers, colors):
         display.EdgeColor = [0.35 * c for c in color]
 
 
-def save_picture(mesh, plane, below, path):
-    """The walls and the plane, from its side without fluid if it is not seen through it."""
+def save_picture(mesh, plane, path):
+    """The walls and the planes, not the far field."""
     view = CreateView("RenderView")
     view.ViewSize = [1200, 800]
     view.UseColorPaletteForBackground = 0
@@ -73,7 +73,7 @@ def save_picture(mesh, plane, below, path):
     shown = [n for name, n in numbers.items() if not name.startswith("farfield") and name not in ("inlet", "outlet")]
     walls = [n for n in shown if n not in (numbers.get("symmetry"), numbers.get("waterline"), numbers.get("ground"))]
     show_patches(view, mesh, walls, [[0.55, 0.6, 0.75]] * len(walls))
-    view.CameraPosition = [-3, -4, -2 if below else 3]
+    view.CameraPosition = [-3, -4, 3]
     view.CameraFocalPoint = [0, 0, 0]
     view.CameraViewUp = [0, 0, 1]
     view.CameraParallelProjection = 1
@@ -96,7 +96,7 @@ def main(plugin, case, file, folder, place="0"):
     report.UpdatePipelineInformation()
     print(report.SMProxy.GetProperty("ReportText").GetElement(0))
     SaveData(os.path.join(folder, case + ".vtu"), proxy=report, DataMode="Binary", CompressorType="ZLib")
-    save_picture(report, plane, case == "car", os.path.join(folder, case + ".png"))
+    save_picture(report, plane, os.path.join(folder, case + ".png"))
 
 
 if __name__ == "__main__":
