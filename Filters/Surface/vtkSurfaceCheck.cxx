@@ -6,7 +6,7 @@
 #include "SurfaceFilterInput.h"
 #include "SurfaceTables.h"
 
-#include "Surface/Preparation.h"
+#include "Surface/Remedy.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -20,8 +20,4 @@ struct PreparationOptions
 // out, or wrapping; the surface is left as it was given then, with points of equal coordinates merged.
 SurfaceVerdict prepareSurface(
   SurfaceMesh& surface, PatchTable& patches, const PreparationOptions& options, const Context& context);
-
-// What a user can do about an unsound surface, as a sentence without its end.
-std::string proposeRemedy(const SurfaceMesh& surface, const PatchTable& patches, const Diagnosis& diagnosis,
-  const std::vector<AxisPlane>& closedBy = {});
 } // namespace ransmesh

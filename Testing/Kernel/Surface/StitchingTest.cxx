@@ -1,6 +1,7 @@
 #include "Surface/Stitching.h"
 #include "Surface/Diagnosis.h"
-#include "Surface/Preparation.h"
+#include "Surface/Remedy.h"
+#include "Surface/Repair.h"
 
 #include "Triangles/SurfaceRepair.h"
 
