@@ -210,7 +210,7 @@ class PatchTypes(WriterTest):
 @unittest.skipUnless(shutil.which("checkMesh"), "OpenFOAM is not there")
 class OpenFOAM(WriterTest):
     def test_check_mesh(self):
-        for grid in (writer_meshes.ball(), writer_meshes.shuffled(writer_meshes.ball(prisms=True)),
+        for grid in (writer_meshes.ball(), writer_meshes.shuffled(writer_meshes.ball(prisms=True)), writer_meshes.room(),
                      writer_meshes.all_kinds()):
             for file_type in (BINARY, ASCII):
                 self.written(grid, "case/constant/polyMesh", file_type=file_type)
