@@ -7,22 +7,27 @@ namespace ransmesh
 BoundaryStars::BoundaryStars(const TetMesh& mesh)
   : mesh_(mesh)
   , start_(mesh.vertexCount() + 1, 0)
+  , vertices_(mesh.boundarySlots(), { None, None, None })
+  , normals_(mesh.boundarySlots())
 {
-  // Looked up once: the tetrahedra that have them lie all over the memory.
-  static constexpr std::array<Index, 3> nothing = { None, None, None };
-  std::vector<std::array<Index, 3>> vertices(mesh.boundarySlots(), nothing);
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  for (std::size_t i = 0; i < vertices_.size(); ++i)
   {
     const auto b = static_cast<Index>(i);
-    vertices[i] = mesh.boundaryFace(b).isAlive() ? mesh.boundaryVertices(b) : nothing;
-  }
-  const auto forEach = [&vertices](auto visit)
-  {
-    for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (mesh.boundaryFace(b).isAlive())
     {
-      if (vertices[i][0] != None)
+      const auto v = mesh.boundaryVertices(b);
+      vertices_[i] = v;
+      normals_[i] =
+        normalized(cross(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])));
+    }
+  }
+  const auto forEach = [this](auto visit)
+  {
+    for (std::size_t i = 0; i < vertices_.size(); ++i)
+    {
+      if (vertices_[i][0] != None)
       {
-        for (const Index v : vertices[i])
+        for (const Index v : vertices_[i])
         {
           visit(v, static_cast<Index>(i));
         }
@@ -41,19 +46,12 @@ BoundaryStars::BoundaryStars(const TetMesh& mesh)
 
 FaceAtVertex BoundaryStars::seenFrom(Index v, Index face) const
 {
-  std::array<Index, 3> vertex = mesh_.boundaryVertices(face);
-  while (vertex[0] != v)
-  {
-    vertex = { vertex[1], vertex[2], vertex[0] };
-  }
-  const Vector3 e1 = mesh_.point(vertex[1]) - mesh_.point(v);
-  const Vector3 e2 = mesh_.point(vertex[2]) - mesh_.point(v);
-  const Vector3 n = cross(e1, e2);
   FaceAtVertex seen;
-  seen.vertex = vertex;
-  seen.normal = normalized(n);
-  seen.angle = std::atan2(norm(n), dot(e1, e2));
-  seen.middle = normalized(normalized(e1) + normalized(e2));
+  seen.vertex = verticesFrom(v, face);
+  const Vector3 e1 = mesh_.point(seen.vertex[1]) - mesh_.point(v);
+  const Vector3 e2 = mesh_.point(seen.vertex[2]) - mesh_.point(v);
+  seen.normal = normals_[face];
+  seen.angle = std::atan2(norm(cross(e1, e2)), dot(e1, e2));
   seen.patch = mesh_.boundaryFace(face).patch;
   return seen;
 }

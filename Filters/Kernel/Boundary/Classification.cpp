@@ -61,20 +61,7 @@ public:
   explicit Fan(const TetMesh& mesh)
     : mesh_(mesh)
     , stars_(mesh)
-    , normal_(mesh.boundarySlots())
-    , vertices_(mesh.boundarySlots())
   {
-    for (std::size_t i = 0; i < normal_.size(); ++i)
-    {
-      const auto b = static_cast<Index>(i);
-      if (mesh.boundaryFace(b).isAlive())
-      {
-        const auto v = mesh.boundaryVertices(b);
-        vertices_[i] = v;
-        normal_[i] =
-          normalized(cross(mesh.point(v[1]) - mesh.point(v[0]), mesh.point(v[2]) - mesh.point(v[0])));
-      }
-    }
   }
 
   void turnTo(Index v)
@@ -82,9 +69,8 @@ public:
     faces_.clear();
     for (const Index b : stars_.facesAt(v))
     {
-      const auto& w = vertices_[b];
-      const int i = w[0] == v ? 0 : w[1] == v ? 1 : 2;
-      faces_.push_back({ b, w[(i + 1) % 3], w[(i + 2) % 3] });
+      const auto w = stars_.verticesFrom(v, b);
+      faces_.push_back({ b, w[1], w[2] });
     }
   }
 
@@ -165,13 +151,11 @@ private:
       }
     }
     return count != 2 || mesh_.boundaryFace(one->number).patch != mesh_.boundaryFace(other->number).patch ||
-      dot(normal_[one->number], normal_[other->number]) < cosine;
+      dot(stars_.normalOf(one->number), stars_.normalOf(other->number)) < cosine;
   }
 
   const TetMesh& mesh_;
   BoundaryStars stars_;
-  std::vector<Vector3> normal_;
-  std::vector<std::array<Index, 3>> vertices_; // of the boundary faces, all close together in memory
   std::vector<Face> faces_;
 };
 

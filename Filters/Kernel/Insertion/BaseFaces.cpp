@@ -50,24 +50,30 @@ void sortRise(BaseFace& face)
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set)
 {
   std::vector<BaseFace> faces;
+  faces.reserve(mesh.boundarySlots());
   for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
-    const auto b = static_cast<Index>(i);
-    if (!mesh.boundaryFace(b).isAlive() || !carriesLayers(mesh, set, b))
+    BaseFace face;
+    face.face = static_cast<Index>(i);
+    if (!mesh.boundaryFace(face.face).isAlive())
     {
       continue;
     }
-    BaseFace face;
-    face.face = b;
-    face.patch = mesh.boundaryFace(b).patch;
-    face.vertex = mesh.boundaryVertices(b);
+    face.patch = mesh.boundaryFace(face.face).patch;
+    face.vertex = mesh.boundaryVertices(face.face);
+    bool carries = false; // as carriesLayers, with one look at each column
     for (int j = 0; j < 3; ++j)
     {
       face.column[j] = set.standingAt(face.vertex[j]);
-      face.root[j] = face.column[j] == None ? face.vertex[j] : set.columns[face.column[j]].root;
+      const Column* c = face.column[j] == None ? nullptr : &set.columns[face.column[j]];
+      face.root[j] = c ? c->root : face.vertex[j];
+      carries = carries || (c && !c->staysIn(face.patch));
     }
-    sortRise(face);
-    faces.push_back(face);
+    if (carries)
+    {
+      sortRise(face);
+      faces.push_back(face);
+    }
   }
   return faces;
 }
@@ -106,6 +112,10 @@ void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>&
         return c != None && set.columns[c].sides[0] != 0;
       });
   };
+  if (std::none_of(set.columns.begin(), set.columns.end(), [](const Column& c) { return c.sides[0] != 0; }))
+  {
+    return;
+  }
   std::vector<EdgeOfFace> edges;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {

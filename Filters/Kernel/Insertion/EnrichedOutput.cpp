@@ -26,18 +26,27 @@ std::vector<Index> numberFront(
   return number;
 }
 
+// What stands on a boundary face; a grid brings other triangles in its place.
+enum class OnFace : char
+{
+  Nothing,
+  Stack,
+  Grid
+};
+
 // Triangles that carry layers stay on the wall, all others go with the front.
 void addTriangles(const TetMesh& mesh, const ColumnSet& set, const std::vector<Index>& baseNumber,
-  const std::vector<Index>& frontNumber, const std::vector<char>& isReplaced, MeshData& data)
+  const std::vector<Index>& frontNumber, const std::vector<OnFace>& onFace, MeshData& data)
 {
   for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
     const auto b = static_cast<Index>(i);
-    if (!mesh.boundaryFace(b).isAlive() || mesh.boundaryFace(b).patch == FrontOnly || isReplaced[i])
+    if (!mesh.boundaryFace(b).isAlive() || mesh.boundaryFace(b).patch == FrontOnly ||
+      onFace[i] == OnFace::Grid)
     {
       continue;
     }
-    const bool onWall = carriesLayers(mesh, set, b);
+    const bool onWall = onFace[i] == OnFace::Stack;
     const auto place = [&](Index v) { return onWall ? baseNumber[set.rootOf(v)] : frontNumber[v]; };
     const auto inward = mesh.boundaryVertices(b);
     data.triangles.push_back({ place(inward[0]), place(inward[2]), place(inward[1]) });
@@ -103,16 +112,16 @@ void reservePoints(std::size_t count, EnrichedMesh& result)
   reserveLarge(result.origin, count);
 }
 
-// By boundary face: does a tensor grid bring other triangles in its place?
-std::vector<char> replacedTriangles(
+// By boundary face.
+std::vector<OnFace> whatStands(
   const TetMesh& mesh, const std::vector<BaseFace>& faces, const TensorStacks& tensor)
 {
-  std::vector<char> isReplaced(mesh.boundarySlots(), 0);
+  std::vector<OnFace> onFace(mesh.boundarySlots(), OnFace::Nothing);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    isReplaced[faces[i].face] = tensor.replaced[i];
+    onFace[faces[i].face] = tensor.replaced[i] ? OnFace::Grid : OnFace::Stack;
   }
-  return isReplaced;
+  return onFace;
 }
 
 void addGridPoints(const ColumnSet& set, const TensorStacks& tensor, EnrichedMesh& result)
@@ -272,7 +281,7 @@ void writeEnriched(
   const std::vector<Index> frontNumber = numberFront(set, numbers, baseNumber);
   result.report.layerTets = countStackTets(set, faces, tensor);
   addMeshTets(mesh, frontNumber, result.report.layerTets, result);
-  addTriangles(mesh, set, baseNumber, frontNumber, replacedTriangles(mesh, faces, tensor), result.mesh);
+  addTriangles(mesh, set, baseNumber, frontNumber, whatStands(mesh, faces, tensor), result.mesh);
   appendStacks(set, faces, numbers, baseNumber, tensor, result);
   sortTrianglesByPatch(result.mesh);
 }

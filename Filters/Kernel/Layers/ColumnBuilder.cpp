@@ -59,7 +59,15 @@ struct Side
   double rise = 0; // cosine between the wall's normal and the way into the side
 };
 
-std::vector<Side> findGroups(std::vector<FaceAtVertex> others, const Vector3& wallNormal)
+// Unit, from the vertex into the face.
+Vector3 middleOf(const FaceAtVertex& face, const TetMesh& mesh)
+{
+  const Vector3& at = mesh.point(face.vertex[0]);
+  return normalized(
+    normalized(mesh.point(face.vertex[1]) - at) + normalized(mesh.point(face.vertex[2]) - at));
+}
+
+std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> others, const Vector3& wallNormal)
 {
   std::stable_sort(others.begin(), others.end(),
     [](const FaceAtVertex& a, const FaceAtVertex& b) { return a.patch < b.patch; });
@@ -73,7 +81,7 @@ std::vector<Side> findGroups(std::vector<FaceAtVertex> others, const Vector3& wa
       Vector3 middle;
       for (const FaceAtVertex& face : group)
       {
-        middle += face.angle * face.middle;
+        middle += face.angle * middleOf(face, mesh);
       }
       sides.push_back({ begin->patch, weightedNormal(group), dot(normalized(middle), wallNormal) });
     }
@@ -84,10 +92,11 @@ std::vector<Side> findGroups(std::vector<FaceAtVertex> others, const Vector3& wa
 
 // The groups that rise from the wall. Not to be told apart from there on: groups of one patch, of which
 // only some rise; then false.
-bool findSides(const std::vector<FaceAtVertex>& others, const Vector3& wallNormal, std::vector<Side>& sides)
+bool findSides(const TetMesh& mesh, const std::vector<FaceAtVertex>& others, const Vector3& wallNormal,
+  std::vector<Side>& sides)
 {
   std::vector<Side> flat;
-  for (const Side& group : findGroups(others, wallNormal))
+  for (const Side& group : findGroups(mesh, others, wallNormal))
   {
     (group.rise > SideRise ? sides : flat).push_back(group);
   }
@@ -197,7 +206,7 @@ private:
     }
     const Vector3 wallNormal = weightedNormal(s.walls);
     std::vector<Side> sides;
-    if (!findSides(s.others, wallNormal, sides) || sides.size() > 2)
+    if (!findSides(mesh_, s.others, wallNormal, sides) || sides.size() > 2)
     {
       return StopReason::Corner;
     }

@@ -48,8 +48,13 @@ std::vector<double> nearestPlanes(const TetMesh& mesh, const ColumnSet& set)
       }
       const auto face = tet.face(corner);
       const Vector3& a = mesh.point(face[0]);
-      const Vector3 normal = normalized(cross(mesh.point(face[1]) - a, mesh.point(face[2]) - a));
-      nearest[c] = std::min(nearest[c], dot(normal, mesh.point(tet.vertex[corner]) - a));
+      const Vector3 normal = cross(mesh.point(face[1]) - a, mesh.point(face[2]) - a);
+      const double volume = dot(normal, mesh.point(tet.vertex[corner]) - a);
+      // Squares first: most are not nearer, and a root takes longer than all the rest.
+      if (volume * volume < nearest[c] * nearest[c] * dot(normal, normal))
+      {
+        nearest[c] = volume / norm(normal);
+      }
     }
   }
   return nearest;
@@ -102,6 +107,14 @@ public:
   }
 
 private:
+  // At the column's root, which comes first of its vertices.
+  struct Face
+  {
+    std::array<Index, 3> vertex;
+    Vector3 normal;
+    int patch;
+  };
+
   // Of the column, or of all those of its fan.
   void collectSteps(Index column)
   {
@@ -121,7 +134,8 @@ private:
     Vector3 inward;
     for (const Index face : stars_.facesAt(c.root))
     {
-      faces_.push_back(stars_.seenFrom(c.root, face));
+      faces_.push_back(
+        { stars_.verticesFrom(c.root, face), stars_.normalOf(face), mesh_.boundaryFace(face).patch });
       inward += c.staysIn(faces_.back().patch) ? faces_.back().normal : Vector3{};
     }
     const Vector3 lean = c.sides[0] == 0 ? OddDirection : normalized(inward);
@@ -135,13 +149,13 @@ private:
     {
       normals_.push_back(normalized(c.direction));
     }
-    for (const FaceAtVertex& face : faces_)
+    for (const Face& face : faces_)
     {
       addRayOf(face, c, lean);
     }
   }
 
-  void addRayOf(const FaceAtVertex& face, const Column& c, const Vector3& lean)
+  void addRayOf(const Face& face, const Column& c, const Vector3& lean)
   {
     double rise = 0;
     for (const Vector3& step : steps_)
@@ -165,7 +179,7 @@ private:
   bool isSideOfNeighbour(int patch) const
   {
     return std::any_of(faces_.begin(), faces_.end(),
-      [&](const FaceAtVertex& face)
+      [&](const Face& face)
       {
         return std::any_of(face.vertex.begin() + 1, face.vertex.end(),
           [&](Index v)
@@ -184,7 +198,7 @@ private:
   std::vector<Index> fanOf_; // by column
   RayWalk walk_;
   std::vector<Vector3> steps_;
-  std::vector<FaceAtVertex> faces_;
+  std::vector<Face> faces_;
   std::vector<Ray> rays_;
   std::vector<Vector3> normals_; // of faces that need no more rays
 };
