@@ -11,7 +11,8 @@ namespace ransmesh
 {
 // For work that goes on around one place of a large mesh: a small hash table, which stays in the cache where an
 // array with a place for each thing would not.
-class LocalNumbers
+template <class Thing>
+class LocalNumbersOf
 {
 public:
   // Forgets everything.
@@ -26,9 +27,9 @@ public:
   }
   // How many things have numbers: 0 to count() - 1, in the order in which they were added.
   int count() const { return count_; }
-  bool has(Index thing) const { return entries_[find(thing)].stamp == current_; }
+  bool has(Thing thing) const { return entries_[find(thing)].stamp == current_; }
   // The thing's number; it gets the next one if it has none.
-  int add(Index thing)
+  int add(Thing thing)
   {
     Entry& entry = entries_[find(thing)];
     if (entry.stamp == current_)
@@ -46,15 +47,16 @@ public:
 private:
   struct Entry
   {
-    Index thing = None;
+    Thing thing{};
     std::uint32_t stamp = 0;
     int number = 0;
   };
 
   // The entry of the thing, or the free one where it belongs.
-  std::size_t find(Index thing) const
+  std::size_t find(Thing thing) const
   {
-    std::size_t place = (static_cast<std::uint32_t>(thing) * 0x9e3779b1U) >> shift_; // Fibonacci hashing
+    std::size_t place =
+      (static_cast<std::uint64_t>(thing) * 0x9e3779b97f4a7c15ULL) >> shift_; // Fibonacci hashing
     while (entries_[place].stamp == current_ && entries_[place].thing != thing)
     {
       place = (place + 1) & (entries_.size() - 1);
@@ -78,10 +80,12 @@ private:
 
   static constexpr int FirstBits = 9;
   std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{ 1 } << FirstBits);
-  int shift_ = 32 - FirstBits;
+  int shift_ = 64 - FirstBits;
   int count_ = 0;
   std::uint32_t current_ = 1;
 };
+
+using LocalNumbers = LocalNumbersOf<Index>;
 
 class LocalMarks
 {

@@ -111,6 +111,7 @@ bool Star::allPositive(Index apex) const
 
 bool Star::pairEdges(Index apex)
 {
+  edgeNumbers_.clear();
   edges_.clear();
   for (std::size_t i = 0; i < faces_.size(); ++i)
   {
@@ -119,29 +120,26 @@ bool Star::pairEdges(Index apex)
     {
       const Index a = v[(j + 1) % 3];
       const Index b = v[(j + 2) % 3];
-      if (a != apex && b != apex)
+      if (a == apex || b == apex)
       {
-        const auto low = static_cast<std::uint64_t>(std::min(a, b));
-        edges_.push_back(
-          { low << 32 | static_cast<std::uint64_t>(std::max(a, b)), static_cast<Index>(i), j });
+        continue;
       }
+      const auto low = static_cast<std::uint64_t>(std::min(a, b));
+      const std::uint64_t ends = low << 32 | static_cast<std::uint64_t>(std::max(a, b));
+      const auto number = static_cast<std::size_t>(edgeNumbers_.add(ends));
+      const EdgeUse use{ static_cast<Index>(i), j };
+      if (number == edges_.size())
+      {
+        edges_.push_back({ ends, use, use, 1 });
+      }
+      else if (++edges_[number].uses > 2)
+      {
+        return false;
+      }
+      edges_[number].second = use;
     }
   }
-  std::sort(edges_.begin(), edges_.end(),
-    [](const EdgeUse& a, const EdgeUse& b) { return a.ends != b.ends ? a.ends < b.ends : a.face < b.face; });
-  if (edges_.size() % 2 != 0)
-  {
-    return false;
-  }
-  const auto same = [this](std::size_t i, std::size_t j) { return edges_[i].ends == edges_[j].ends; };
-  for (std::size_t i = 0; i < edges_.size(); i += 2)
-  {
-    if (!same(i, i + 1) || (i + 2 < edges_.size() && same(i, i + 2)))
-    {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(edges_.begin(), edges_.end(), [](const Edge& edge) { return edge.uses == 2; });
 }
 
 bool Star::someGluedToNothing() const
@@ -149,10 +147,10 @@ bool Star::someGluedToNothing() const
   // What stands beyond a glued face must meet a tetrahedron.
   const auto leavesNothing = [](const OuterFace& face)
   { return face.kind == Kind::Starred || (face.kind == Kind::Glued && isBoundary(face.beyond)); };
-  for (std::size_t i = 0; i < edges_.size(); i += 2)
+  for (const Edge& edge : edges_)
   {
-    const OuterFace& a = faces_[edges_[i].face];
-    const OuterFace& b = faces_[edges_[i + 1].face];
+    const OuterFace& a = faces_[edge.first.face];
+    const OuterFace& b = faces_[edge.second.face];
     const bool someGlued = a.kind == Kind::Glued || b.kind == Kind::Glued;
     if (someGlued && leavesNothing(a) && leavesNothing(b))
     {
@@ -187,6 +185,15 @@ void Star::findLostVertices(Index apex)
       }
     }
   }
+}
+
+// New boundary faces get their numbers in the order of their edges, in whichever order the cavity was given.
+void Star::sortBoundaryEdges()
+{
+  const auto isStarred = [this](const EdgeUse& use) { return faces_[use.face].kind == Kind::Starred; };
+  const auto end = std::partition(edges_.begin(), edges_.end(),
+    [&](const Edge& edge) { return isStarred(edge.first) || isStarred(edge.second); });
+  std::sort(edges_.begin(), end, [](const Edge& a, const Edge& b) { return a.ends < b.ends; });
 }
 
 HalfFace Star::createdSide(const EdgeUse& use) const
@@ -237,9 +244,10 @@ const std::vector<Index>& Star::apply()
       mesh_.link(halfFace(created_[face.created], 3), face.beyond);
     }
   }
-  for (std::size_t i = 0; i < edges_.size(); i += 2)
+  sortBoundaryEdges();
+  for (const Edge& edge : edges_)
   {
-    join(edges_[i], edges_[i + 1]);
+    join(edge.first, edge.second);
   }
   for (const OuterFace& face : faces_)
   {

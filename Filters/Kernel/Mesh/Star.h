@@ -70,9 +70,15 @@ private:
   };
   struct EdgeUse // an edge of an outer face, opposite to its corner
   {
-    std::uint64_t ends; // the lower and the higher one in one number, which is quicker to sort by
     Index face;
     int corner;
+  };
+  struct Edge // of two outer faces
+  {
+    std::uint64_t ends; // the lower and the higher one in one number
+    EdgeUse first;
+    EdgeUse second;
+    int uses;
   };
 
   void collectTets(const Cavity& cavity);
@@ -81,6 +87,7 @@ private:
   bool pairEdges(Index apex);
   bool someGluedToNothing() const;
   void findLostVertices(Index apex);
+  void sortBoundaryEdges();
   HalfFace createdSide(const EdgeUse& use) const;
   void join(const EdgeUse& first, const EdgeUse& second);
 
@@ -90,7 +97,8 @@ private:
   LocalMarks kept_;
   std::vector<Index> tets_;
   std::vector<OuterFace> faces_;
-  std::vector<EdgeUse> edges_;
+  LocalNumbersOf<std::uint64_t> edgeNumbers_; // by their ends
+  std::vector<Edge> edges_;
   std::vector<std::array<Index, 4>> newTets_;
   std::vector<Index> lost_;
   std::vector<Index> created_;

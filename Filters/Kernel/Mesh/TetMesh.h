@@ -99,6 +99,15 @@ public:
     static_cast<void>(t);
 #endif
   }
+  // The same for a point.
+  void fetchPointAhead(Index v) const
+  {
+#ifdef __GNUC__
+    __builtin_prefetch(&points_[v]);
+#else
+    static_cast<void>(v);
+#endif
+  }
   const BoundaryFace& boundaryFace(Index b) const
   {
     return boundary_[b];
