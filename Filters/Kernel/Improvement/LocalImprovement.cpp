@@ -69,21 +69,22 @@ unsigned edgesOnBoundary(const Tetrahedron& tet)
 }
 } // namespace
 
-bool LocalImprovement::swap(Index tet, unsigned corners)
+bool LocalImprovement::swap(Index tet, const SwapMemory& memory)
 {
-  const auto mayTry = [corners](unsigned needed) { return (corners & needed) == needed; };
+  constexpr unsigned allCorners = 0b1111;
+  const auto mayTry = [&memory](unsigned needed) { return (memory.corners & needed) == needed; };
   const unsigned onBoundary = edgesOnBoundary(mesh_.tet(tet));
   for (int edge = 0; edge < 6; ++edge)
   {
     if ((onBoundary >> edge & 1U) == 0 && mayTry(1U << EdgeCorners[edge][0] | 1U << EdgeCorners[edge][1]) &&
-      swapEdge(tet, edge))
+      swapEdge(tet, edge, memory))
     {
       return true;
     }
   }
   for (int face = 0; face < 4; ++face)
   {
-    if (mayTry(AllCorners & ~(1U << face)) && swapFace(tet, face))
+    if (mayTry(allCorners & ~(1U << face)) && swapFace(tet, face, memory))
     {
       return true;
     }
@@ -152,11 +153,12 @@ double LocalImprovement::worstWithout(Index a, Index b, std::size_t apex, double
   return worst;
 }
 
-bool LocalImprovement::swapEdge(Index tet, int edge)
+bool LocalImprovement::swapEdge(Index tet, int edge, const SwapMemory& memory)
 {
   const Index a = mesh_.tet(tet).vertex[EdgeCorners[edge][0]];
   const Index b = mesh_.tet(tet).vertex[EdgeCorners[edge][1]];
-  if (!walkAround(tet, a, b))
+  if (!walkAround(tet, a, b) ||
+    std::none_of(cavity_.tets.begin(), cavity_.tets.end(), [&](Index t) { return memory.hasChanged(t); }))
   {
     return false;
   }
@@ -185,11 +187,11 @@ double LocalImprovement::worstWith(Index d, Index e, const std::array<Index, 3>&
   return worst;
 }
 
-bool LocalImprovement::swapFace(Index tet, int face)
+bool LocalImprovement::swapFace(Index tet, int face, const SwapMemory& memory)
 {
   const Tetrahedron& here = mesh_.tet(tet);
   const HalfFace beyond = here.neighbour[face];
-  if (isBoundary(beyond))
+  if (isBoundary(beyond) || !(memory.hasChanged(tet) || memory.hasChanged(tetOf(beyond))))
   {
     return false;
   }

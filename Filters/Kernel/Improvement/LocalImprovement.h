@@ -8,6 +8,7 @@
 #include "Mesh/Traversal.h"
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,17 @@ inline double qualityOf(const TetMesh& mesh, Index t)
   const auto& v = mesh.tet(t).vertex;
   return quality(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
 }
+
+// When what changed, as counts of changes: a swap that failed is worth another try only where something has changed.
+struct SwapMemory
+{
+  unsigned corners = 0b1111; // those with changes since (bit i for corner i)
+  const std::vector<std::uint32_t>* changedAt =
+    nullptr; // by tetrahedron; all count as changed where there is none
+  std::uint32_t triedAt = 0;
+
+  bool hasChanged(Index tet) const { return !changedAt || (*changedAt)[tet] > triedAt; }
+};
 
 class LocalImprovement
 {
@@ -34,9 +46,9 @@ public:
 
   // Tries to replace the tetrahedron by better ones: by taking out one of its edges inside the mesh, or
   // one of its faces. The worst quality among those that change must rise.
-  // Only edges and faces between the corners given (bit i for corner i) are tried.
-  bool swap(Index tet, unsigned corners = AllCorners);
-  static constexpr unsigned AllCorners = 0b1111;
+  // Only edges and faces between the memory's corners are tried, and of these only those with a tetrahedron that
+  // has changed.
+  bool swap(Index tet, const SwapMemory& memory = {});
 
   // Moves a vertex of the volume towards the mean of its neighbours if that does not make the worst
   // quality around it less than keep times what it was.
@@ -55,8 +67,8 @@ public:
   const std::vector<Index>& made() const { return *made_; }
 
 private:
-  bool swapEdge(Index tet, int edge);
-  bool swapFace(Index tet, int face);
+  bool swapEdge(Index tet, int edge, const SwapMemory& memory);
+  bool swapFace(Index tet, int face, const SwapMemory& memory);
   bool walkAround(Index tet, Index a, Index b);
   double worstWithout(Index a, Index b, std::size_t apex, double floor) const;
   double worstWith(Index d, Index e, const std::array<Index, 3>& face, double floor) const;

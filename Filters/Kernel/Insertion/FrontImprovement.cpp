@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -23,6 +25,7 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set, Loc
   {
     isTop[c.vertex] = c.levels > 0;
   }
+  const double mayBePoor = std::sqrt(Poor); // the shape is at least the quality's square; most are better
   std::vector<Index> poor;
   for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
   {
@@ -30,7 +33,7 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set, Loc
     const Tetrahedron& tet = mesh.tet(t);
     if (tet.isAlive() &&
       std::any_of(tet.vertex.begin(), tet.vertex.end(), [&isTop](Index v) { return isTop[v] != 0; }) &&
-      improvement.shapeOf(t, Poor) < Poor)
+      qualityOf(mesh, t) < mayBePoor && improvement.shapeOf(t, Poor) < Poor)
     {
       poor.push_back(t);
     }
@@ -47,24 +50,28 @@ public:
     : mesh_(mesh)
     , traversal_(mesh)
     , last_(mesh.vertexCount(), 0)
+    , ofTet_(mesh.tetSlots(), 0)
     , unmoved_(mesh.vertexCount(), Never)
   {
   }
 
-  static constexpr std::size_t Never = std::numeric_limits<std::size_t>::max();
+  static constexpr std::uint32_t Never = std::numeric_limits<std::uint32_t>::max();
 
-  std::size_t count() const { return count_; }
-  // The corners (bit i for corner i) at which something changed since that count of changes; all for Never. A
-  // swap that failed can succeed only if there is one at every vertex of its edge or face: all tetrahedra
-  // concerned have these.
-  unsigned changedCorners(Index tet, std::size_t triedAt) const
+  std::uint32_t count() const { return count_; }
+  // What a swap has to know that failed at that count of changes. It can succeed only if something changed at every
+  // vertex of its edge or face, as all tetrahedra concerned have these, and then only if one of them changed.
+  SwapMemory since(Index tet, std::uint32_t triedAt) const
   {
+    if (triedAt == Never)
+    {
+      return {};
+    }
     unsigned corners = 0;
     for (unsigned i = 0; i < 4; ++i)
     {
       corners |= anyAtVertex(mesh_.tet(tet).vertex[i], triedAt) ? 1U << i : 0;
     }
-    return corners;
+    return { corners, &ofTet_, triedAt };
   }
   bool isWorthMoving(Index v) const { return anyAtVertex(v, unmoved_[v]); }
   void noteUnmoved(Index v) { unmoved_[v] = count_; }
@@ -81,11 +88,13 @@ public:
   }
 
 private:
-  bool anyAtVertex(Index v, std::size_t triedAt) const { return triedAt == Never || last_[v] > triedAt; }
+  bool anyAtVertex(Index v, std::uint32_t triedAt) const { return triedAt == Never || last_[v] > triedAt; }
   void note(const std::vector<Index>& tets)
   {
+    ofTet_.resize(std::max(ofTet_.size(), mesh_.tetSlots()), 0);
     for (const Index t : tets)
     {
+      ofTet_[t] = count_;
       for (const Index v : mesh_.tet(t).vertex)
       {
         last_[v] = count_;
@@ -96,15 +105,16 @@ private:
   const TetMesh& mesh_;
   Traversal traversal_;
   std::vector<Index> ball_;
-  std::vector<std::size_t> last_;    // by vertex
-  std::vector<std::size_t> unmoved_; // by vertex: when it could not be moved
-  std::size_t count_ = 0;
+  std::vector<std::uint32_t> last_;    // by vertex
+  std::vector<std::uint32_t> ofTet_;   // the same by tetrahedron
+  std::vector<std::uint32_t> unmoved_; // by vertex: when it could not be moved
+  std::uint32_t count_ = 0;
 };
 
 struct Candidate
 {
   Index tet;
-  std::size_t triedAt; // the count of changes when it was tried in vain, or Never
+  std::uint32_t triedAt; // the count of changes when it was tried in vain, or Never
 };
 
 // Tetrahedra with a common vertex after each other: what one looks at is in the cache for the next. Numbers of
@@ -132,12 +142,12 @@ std::vector<Candidate> swapAway(
     {
       continue;
     }
-    const unsigned corners = changes.changedCorners(t, triedAt);
-    if (corners == 0)
+    const SwapMemory memory = changes.since(t, triedAt);
+    if (memory.corners == 0)
     {
       left.push_back({ t, triedAt });
     }
-    else if (!improvement.swap(t, corners))
+    else if (!improvement.swap(t, memory))
     {
       left.push_back({ t, changes.count() });
     }

@@ -49,3 +49,20 @@ TEST_F(LocalImprovements, PointsOfTheBoundaryStay)
   EXPECT_FALSE(improvement_.move(v, 0));
   EXPECT_FALSE(improvement_.moveTowards(v, { 0.5, 0.5, 0.5 }, 0));
 }
+
+TEST_F(LocalImprovements, SwapsAreNotTriedWhereNothingHasChanged)
+{
+  std::vector<std::uint32_t> changedAt(mesh_.tetSlots(), 3);
+  std::size_t swapped = 0;
+  for (Index t = 0; t < static_cast<Index>(mesh_.tetSlots()); ++t)
+  {
+    EXPECT_FALSE(!mesh_.tet(t).isAlive() || improvement_.swap(t, { 0b1111, &changedAt, 3 }));
+  }
+  for (Index t = 0; t < static_cast<Index>(changedAt.size()); ++t)
+  {
+    changedAt.resize(mesh_.tetSlots(), 3);
+    swapped += mesh_.tet(t).isAlive() && improvement_.swap(t, { 0b1111, &changedAt, 2 });
+  }
+  EXPECT_GT(swapped, 0U);
+  invariants::expectValid(mesh_);
+}
