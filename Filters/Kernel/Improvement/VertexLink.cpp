@@ -17,6 +17,7 @@ void VertexLink::turnTo(Index v)
   ends_.clear();
   places_.clear();
   faces_.clear();
+  viewed_ = 0;
   grown_.clear();
   starred_.clear();
   collectBall(v);
@@ -42,6 +43,7 @@ void VertexLink::collectBall(Index v)
     }
     addFace(tet, cornerOfV);
   }
+  placeNewEnds();
 }
 
 int VertexLink::localNumber(Index end)
@@ -50,9 +52,23 @@ int VertexLink::localNumber(Index end)
   if (number == static_cast<int>(ends_.size()))
   {
     ends_.push_back(end);
-    places_.push_back(mesh_.point(end) - centre_);
+    mesh_.fetchPointAhead(end);
   }
   return number;
+}
+
+// After faces have been added: all at once, so that none has to be waited for alone.
+void VertexLink::placeNewEnds()
+{
+  for (std::size_t i = places_.size(); i < ends_.size(); ++i)
+  {
+    places_.push_back(mesh_.point(ends_[i]) - centre_);
+  }
+  for (; viewed_ < faces_.size(); ++viewed_)
+  {
+    Face& face = faces_[viewed_];
+    face.view = { places_[face.corner[0]], places_[face.corner[1]], places_[face.corner[2]] };
+  }
 }
 
 // The face opposite to a corner.
@@ -64,42 +80,15 @@ void VertexLink::addFace(const Tetrahedron& tet, int corner)
   {
     face.corner[j] = localNumber(tet.vertex[FaceCorners[corner][j]]);
   }
-  const Vector3& a = places_[face.corner[0]];
-  const Vector3& b = places_[face.corner[1]];
-  const Vector3& c = places_[face.corner[2]];
-  const Vector3 ab = b - a;
-  const Vector3 ac = c - a;
-  const Vector3 bc = c - b;
-  face.normal = cross(ab, ac);
-  face.offset = dot(face.normal, a);
-  face.sum = a + b + c;
-  face.squares = dot(ab, ab) + dot(ac, ac) + dot(bc, bc) + dot(a, a) + dot(b, b) + dot(c, c);
   faces_.push_back(face);
 }
-
-// The quality's square, with its sign.
-double VertexLink::signedSquare(const Face& face, const Vector3& apex, double squareOfApex)
-{
-  const double sixVolume = dot(face.normal, apex) - face.offset;
-  const double squares = face.squares + 3 * squareOfApex - 2 * dot(face.sum, apex); // of all six edges
-  constexpr double regular = 432; // that of the regular tetrahedron is 1
-  return regular * sixVolume * std::fabs(sixVolume) / (squares * squares * squares);
-}
-
-namespace
-{
-double signedRoot(double square)
-{
-  return square < 0 ? -std::sqrt(-square) : std::sqrt(square);
-}
-} // namespace
 
 double VertexLink::worst() const
 {
   double worst = std::numeric_limits<double>::infinity();
   for (const Face& face : faces_)
   {
-    worst = std::min(worst, signedSquare(face, {}, 0));
+    worst = std::min(worst, face.view.signedSquare({}, 0));
   }
   return signedRoot(worst);
 }
@@ -118,7 +107,7 @@ double VertexLink::worstFrom(int apex, double floor)
     {
       continue;
     }
-    worst = std::min(worst, signedSquare(face, place, squareOfApex));
+    worst = std::min(worst, face.view.signedSquare(place, squareOfApex));
     if (!(worst > floorSquare))
     {
       std::swap(faces_[i], faces_[i / 2]); // faces that refuse often are asked first
@@ -148,7 +137,7 @@ std::size_t VertexLink::countPoor(int apex, double floor) const
   std::size_t count = 0;
   for (std::size_t i = 0; i < ball_.size(); ++i)
   {
-    count += !faces_[i].has(apex) && !(signedSquare(faces_[i], place, squareOfApex) > floorSquare);
+    count += !faces_[i].has(apex) && !(faces_[i].view.signedSquare(place, squareOfApex) > floorSquare);
   }
   return count;
 }
@@ -159,6 +148,7 @@ void VertexLink::undoGrowth()
   grown_.clear();
   starred_.clear();
   faces_.resize(ball_.size()); // one for each tetrahedron at v
+  viewed_ = faces_.size();
 }
 
 void VertexLink::growBeyond(HalfFace face)
@@ -173,6 +163,7 @@ void VertexLink::growBeyond(HalfFace face)
       addFace(mesh_.tet(t), f);
     }
   }
+  placeNewEnds();
 }
 
 double VertexLink::grow(int apex, double floor, std::size_t budget, const BoundaryRules& rules)
@@ -190,7 +181,7 @@ double VertexLink::grow(int apex, double floor, std::size_t budget, const Bounda
     {
       continue;
     }
-    const double square = signedSquare(faces_[i], place, squareOfApex);
+    const double square = faces_[i].view.signedSquare(place, squareOfApex);
     if (square > floorSquare)
     {
       worst = std::min(worst, square);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Boundary/BoundaryRules.h"
+#include "Improvement/FaceView.h"
 #include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
 
@@ -49,22 +50,19 @@ public:
   const std::vector<Index>& grownStarred() const { return starred_; }
 
 private:
-  // The face of a tetrahedron of the ball opposite to v, as what six volumes and the squares of the
-  // edges of the tetrahedron from it to any place need.
+  // The face of a tetrahedron of the ball opposite to v.
   struct Face
   {
     bool has(int end) const { return corner[0] == end || corner[1] == end || corner[2] == end; }
 
-    Vector3 normal; // twice the area
-    double offset;
-    Vector3 sum;               // of the corners' places
-    double squares;            // of the edges and of the corners' places
+    FaceView view;
     std::array<int, 3> corner; // local numbers
     HalfFace beyond;
   };
 
   void collectBall(Index v);
   void addFace(const Tetrahedron& tet, int corner);
+  void placeNewEnds();
   void undoGrowth();
   void growBeyond(HalfFace face);
   bool isInside(HalfFace h) const
@@ -72,13 +70,13 @@ private:
     return !isBoundary(h) && (inBall_.test(tetOf(h)) || inGrown_.test(tetOf(h)));
   }
   int localNumber(Index end);
-  static double signedSquare(const Face& face, const Vector3& apex, double squareOfApex);
 
   const TetMesh& mesh_;
   std::vector<Index> ball_;
   std::vector<Index> ends_;
   std::vector<Vector3> places_;
   std::vector<Face> faces_;
+  std::size_t viewed_ = 0; // faces_ whose view is made
   LocalMarks inBall_;
   LocalMarks inGrown_;
   LocalNumbers numbers_; // of vertices

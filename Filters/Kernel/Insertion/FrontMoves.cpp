@@ -25,6 +25,7 @@ FrontMoves::FrontMoves(
   , sides_(mesh, classes, turns)
   , star_(mesh)
   , traversal_(mesh)
+  , grown_(mesh)
   , firstQuality_(set.columns.size(), -1)
 {
 }
@@ -105,21 +106,25 @@ bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth,
 bool FrontMoves::starBest(
   const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth, bool sidesHold)
 {
-  Cavity best;
+  grown_.begin(seed_, mesh_.point(column.vertex));
   Index bestApex = None;
+  Index checkedLast = None;
   for (const Index apex : apexes)
   {
-    double worst = 0;
-    if (!buildCavity(column, apex, wanted, growth, worst) || !(worst > wanted) ||
-      star_.check(cavity_, apex) != StarVerdict::Possible || !mayStar(column, apex, sidesHold))
+    const Column* ofSides = apex == column.vertex ? &column : nullptr;
+    if (!grown_.grow(apex, wanted, ball_.size() + growth, ofSides) || !(grown_.worst() > wanted))
     {
       continue;
     }
-    wanted = worst;
-    best = cavity_;
-    bestApex = apex;
+    checkedLast = apex;
+    if (star_.check(grown_.cavity(), apex) == StarVerdict::Possible && mayStar(column, apex, sidesHold))
+    {
+      wanted = grown_.worst();
+      best_ = grown_.cavity();
+      bestApex = apex;
+    }
   }
-  if (bestApex == None || star_.check(best, bestApex) != StarVerdict::Possible)
+  if (bestApex == None || (bestApex != checkedLast && star_.check(best_, bestApex) != StarVerdict::Possible))
   {
     return false;
   }
@@ -143,69 +148,11 @@ std::vector<Index> FrontMoves::apexCandidates(Index vertex) const
   return candidates;
 }
 
-bool FrontMoves::isStarred(const Column& column, Index apex, HalfFace beyond) const
-{
-  return isBoundary(beyond) && apex == column.vertex && column.staysIn(mesh_.patchOf(beyond));
-}
-
-bool FrontMoves::buildCavity(
-  const Column& column, Index apex, double wanted, std::size_t growth, double& worst)
-{
-  cavity_.tets = seed_;
-  inCavity_.clear();
-  for (const Index t : seed_)
-  {
-    inCavity_.set(t);
-  }
-  for (bool grown = true; grown;)
-  {
-    grown = false;
-    worst = std::numeric_limits<double>::infinity();
-    cavity_.starredFaces.clear();
-    for (std::size_t i = 0; i < cavity_.tets.size(); ++i)
-    {
-      const Tetrahedron& tet = mesh_.tet(cavity_.tets[i]);
-      for (int f = 0; f < 4; ++f)
-      {
-        const HalfFace beyond = tet.neighbour[f];
-        if (!isBoundary(beyond) && inCavity_.test(tetOf(beyond)))
-        {
-          continue;
-        }
-        if (isStarred(column, apex, beyond))
-        {
-          cavity_.starredFaces.push_back(boundaryFaceOf(beyond));
-          continue;
-        }
-        const auto v = tet.face(f);
-        if (v[0] == apex || v[1] == apex || v[2] == apex)
-        {
-          continue;
-        }
-        const double q = quality(mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]), mesh_.point(apex));
-        if (q > wanted)
-        {
-          worst = std::min(worst, q);
-          continue;
-        }
-        if (isBoundary(beyond) || cavity_.tets.size() >= ball_.size() + growth)
-        {
-          return false;
-        }
-        inCavity_.set(tetOf(beyond));
-        cavity_.tets.push_back(tetOf(beyond));
-        grown = true;
-      }
-    }
-  }
-  return worst < std::numeric_limits<double>::infinity();
-}
-
 // Starred from elsewhere, the sides' faces at the top stay as they are: they must hold then.
 bool FrontMoves::mayStar(const Column& column, Index apex, bool sidesHold)
 {
   return (sidesHold || apex == column.vertex) && mayLose(column, apex) &&
-    sides_.allowsStar(cavity_, column.vertex, star_.lostVertices());
+    sides_.allowsStar(grown_.cavity(), column.vertex, star_.lostVertices());
 }
 
 // Only isotropic points may vanish: those of the volume, and those of the column's own sides when the

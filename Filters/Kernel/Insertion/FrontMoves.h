@@ -4,6 +4,7 @@
 #include "Boundary/Classification.h"
 #include "Insertion/Front.h"
 #include "Insertion/SideStar.h"
+#include "Insertion/TopCavity.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
@@ -46,10 +47,8 @@ private:
   bool restar(const Column& column, double wanted, std::size_t growth, bool sidesHold);
   bool starBest(const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth,
     bool sidesHold);
-  bool buildCavity(const Column& column, Index apex, double wanted, std::size_t growth, double& worst);
   bool mayStar(const Column& column, Index apex, bool sidesHold);
   bool mayLose(const Column& column, Index apex) const;
-  bool isStarred(const Column& column, Index apex, HalfFace beyond) const;
   std::vector<Index> apexCandidates(Index vertex) const;
 
   TetMesh& mesh_;
@@ -59,10 +58,10 @@ private:
   SideStar sides_;
   Star star_;
   Traversal traversal_;
-  LocalMarks inCavity_;
+  TopCavity grown_;
   std::vector<double> firstQuality_; // around each top before its first single move; < 0: not known yet
   std::vector<Index> ball_;
   std::vector<Index> seed_; // the tetrahedra that a cavity begins with
-  Cavity cavity_;
+  Cavity best_;
 };
 } // namespace ransmesh
