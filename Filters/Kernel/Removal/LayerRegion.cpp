@@ -84,7 +84,9 @@ private:
   {
     for (const Index v : tet.vertex)
     {
-      if (walls_.isWall(v) || isInside_[v] || !offered_.isNew(w, v))
+      // The ceiling leaves out most, without a look at each of the triangles.
+      if (walls_.isWall(v) || isInside_[v] || !offered_.isNew(w, v) ||
+        walls_.ceilingOver(w).isBelow(mesh_.point(v)))
       {
         continue;
       }

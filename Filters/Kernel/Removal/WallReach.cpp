@@ -4,11 +4,14 @@
 #include "Geometry/TetrahedronMeasures.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ransmesh
 {
 namespace
 {
+constexpr double rounding = 1e-9; // so that a ceiling leaves out none that just reaches
+
 double squareOf(const Vector3& a)
 {
   return dot(a, a);
@@ -26,6 +29,7 @@ WallReach::WallReach(const TetMesh& mesh, const LayerPlan& plan, double margin)
   collect(plan);
   linkToVertices();
   findReaches(plan, margin);
+  findCeilings();
 }
 
 double WallReach::attainableQuality(Index t) const
@@ -166,5 +170,38 @@ void WallReach::findReaches(const LayerPlan& plan, double margin)
     bounds_[i].reach = thickness > 0 ? thickness + margin * size : 0;
     bounds_[i].radius += bounds_[i].reach;
   }
+}
+
+void WallReach::findCeilings()
+{
+  ceiling_.resize(mesh_.vertexCount());
+  for (std::size_t i = 0; i < ceiling_.size(); ++i)
+  {
+    const auto v = static_cast<Index>(i);
+    if (isWall(v))
+    {
+      ceiling_[i] = findCeiling(v);
+    }
+  }
+}
+
+WallReach::Ceiling WallReach::findCeiling(Index v) const
+{
+  Ceiling ceiling;
+  for (const Index t : at(v))
+  {
+    ceiling.normal += bounds_[t].normal;
+  }
+  ceiling.normal = normalized(ceiling.normal);
+  ceiling.height = -std::numeric_limits<double>::infinity();
+  for (const Index t : at(v))
+  {
+    for (const Index corner : triangles_[t].vertex)
+    {
+      const double height = dot(mesh_.point(corner), ceiling.normal) + (1 + rounding) * bounds_[t].reach;
+      ceiling.height = std::max(ceiling.height, height);
+    }
+  }
+  return ceiling;
 }
 } // namespace ransmesh

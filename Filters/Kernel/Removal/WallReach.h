@@ -19,6 +19,15 @@ double limitedThickness(const LayerHeights& heights, double isotropicFraction, d
 class WallReach
 {
 public:
+  // A plane over a vertex of a wall: above it nothing is within reach of the triangles there.
+  struct Ceiling
+  {
+    bool isBelow(const Vector3& p) const { return dot(p, normal) > height; }
+
+    Vector3 normal;
+    double height = 0;
+  };
+
   WallReach(const TetMesh& mesh, const LayerPlan& plan, double margin);
 
   bool isWall(Index v) const { return isWall_[v] != 0; }
@@ -37,6 +46,7 @@ public:
   {
     return { triangleAt_.data() + first_[v], triangleAt_.data() + first_[v + 1] };
   }
+  const Ceiling& ceilingOver(Index v) const { return ceiling_[v]; }
   double reach(Index t) const { return bounds_[t].reach; }
 
   // The quality of the tetrahedron from triangle t to the end of its reach.
@@ -81,12 +91,15 @@ private:
   void linkToVertices();
   double sizeAt(Index v) const;
   void findReaches(const LayerPlan& plan, double margin);
+  void findCeilings();
+  Ceiling findCeiling(Index v) const;
 
   const TetMesh& mesh_;
   std::vector<WallTriangle> triangles_;
   std::vector<Bounds> bounds_; // of triangles_
   std::vector<Index> first_;   // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
   std::vector<Index> triangleAt_;
-  std::vector<char> isWall_; // by vertex; small, so that it stays in the cache
+  std::vector<Ceiling> ceiling_; // by vertex
+  std::vector<char> isWall_;     // by vertex; small, so that it stays in the cache
 };
 } // namespace ransmesh
