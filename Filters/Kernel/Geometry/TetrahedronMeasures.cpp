@@ -147,21 +147,21 @@ double angleQuality(
   }
   // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
   // ask for nothing else, and spent half of their time there.
-  std::array<Vector3, 4> outward = { cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
+  const std::array<Vector3, 4> outward = { cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
     cross(c - a, b - a) };
   if (plain > range.ceiling && allAnglesAbove(outward, range.ceiling))
   {
     return plain;
   }
-  for (Vector3& normal : outward)
-  {
-    normal = normalized(normal);
-  }
-  double alike = -1;
+  std::array<double, 4> square{};
+  std::transform(outward.begin(), outward.end(), square.begin(),
+    [](const Vector3& normal) { return dot(normal, normal); });
+  double alike = -1; // the cosine's square, with its sign: one root instead of four
   for (const auto& faces : EdgeCorners)
   {
-    alike = std::max(alike, dot(outward[faces[0]], outward[faces[1]]));
+    const double cosine = dot(outward[faces[0]], outward[faces[1]]);
+    alike = std::max(alike, cosine * std::fabs(cosine) / (square[faces[0]] * square[faces[1]]));
   }
-  return std::min(plain, 1 - alike);
+  return std::min(plain, 1 - std::copysign(std::sqrt(std::fabs(alike)), alike));
 }
 } // namespace ransmesh

@@ -158,7 +158,7 @@ bool LocalImprovement::swapEdge(Index tet, int edge, const SwapMemory& memory)
   const Index a = mesh_.tet(tet).vertex[EdgeCorners[edge][0]];
   const Index b = mesh_.tet(tet).vertex[EdgeCorners[edge][1]];
   if (!walkAround(tet, a, b) ||
-    std::none_of(cavity_.tets.begin(), cavity_.tets.end(), [&](Index t) { return memory.hasChanged(t); }))
+    !memory.anyHasChanged(cavity_.tets, std::max(memory.triedAt, edges_.triedAt(a, b))))
   {
     return false;
   }
@@ -173,7 +173,12 @@ bool LocalImprovement::swapEdge(Index tet, int edge, const SwapMemory& memory)
       floor = worst;
     }
   }
-  return best != None && star(best);
+  if (best != None && star(best))
+  {
+    return true;
+  }
+  edges_.note(a, b, memory.now);
+  return false;
 }
 
 // The worst shape if the face between d, on its inner side, and e gave way to an edge between these.
@@ -191,13 +196,17 @@ bool LocalImprovement::swapFace(Index tet, int face, const SwapMemory& memory)
 {
   const Tetrahedron& here = mesh_.tet(tet);
   const HalfFace beyond = here.neighbour[face];
-  if (isBoundary(beyond) || !(memory.hasChanged(tet) || memory.hasChanged(tetOf(beyond))))
+  if (isBoundary(beyond))
   {
     return false;
   }
   const Index d = here.vertex[face];
   const Index e = mesh_.tet(tetOf(beyond)).vertex[faceOf(beyond)];
   cavity_.tets = { tet, tetOf(beyond) };
+  if (!memory.anyHasChanged(cavity_.tets, memory.triedAt))
+  {
+    return false;
+  }
   const double floor = worthwhile * worstOf(cavity_.tets);
   return worstWith(d, e, here.face(face), floor) > floor && star(d);
 }

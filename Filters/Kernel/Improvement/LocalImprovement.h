@@ -3,10 +3,12 @@
 
 #include "Boundary/BoundaryRules.h"
 #include "Geometry/TetrahedronMeasures.h"
+#include "Improvement/EdgeMemory.h"
 #include "Improvement/ShapeMemory.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -21,15 +23,21 @@ inline double qualityOf(const TetMesh& mesh, Index t)
   return quality(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]), mesh.point(v[3]));
 }
 
-// When what changed, as counts of changes: a swap that failed is worth another try only where something has changed.
+// When what changed, as counts of changes, from 1: a swap that failed is worth another try only where something has
+// changed.
 struct SwapMemory
 {
   unsigned corners = 0b1111; // those with changes since (bit i for corner i)
   const std::vector<std::uint32_t>* changedAt =
-    nullptr; // by tetrahedron; all count as changed where there is none
-  std::uint32_t triedAt = 0;
+    nullptr;                 // by tetrahedron; all count as changed where there is none
+  std::uint32_t triedAt = 0; // 0: never
+  std::uint32_t now = 0;
 
-  bool hasChanged(Index tet) const { return !changedAt || (*changedAt)[tet] > triedAt; }
+  bool anyHasChanged(std::span<const Index> tets, std::uint32_t since) const
+  {
+    return !changedAt ||
+      std::any_of(tets.begin(), tets.end(), [&](Index t) { return (*changedAt)[t] > since; });
+  }
 };
 
 class LocalImprovement
@@ -92,6 +100,7 @@ private:
   Star star_;
   Traversal traversal_;
   ShapeMemory shapes_;
+  EdgeMemory edges_;
   Cavity cavity_;
   std::vector<Index> tets_;
   std::vector<Index> ring_; // vertices around an edge

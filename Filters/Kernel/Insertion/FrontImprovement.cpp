@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 
 namespace ransmesh
@@ -49,29 +48,26 @@ public:
   explicit Changes(const TetMesh& mesh)
     : mesh_(mesh)
     , traversal_(mesh)
-    , last_(mesh.vertexCount(), 0)
-    , ofTet_(mesh.tetSlots(), 0)
+    , last_(mesh.vertexCount(), 1)
+    , ofTet_(mesh.tetSlots(), 1)
     , unmoved_(mesh.vertexCount(), Never)
   {
   }
 
-  static constexpr std::uint32_t Never = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t Never = 0;
 
   std::uint32_t count() const { return count_; }
+  std::size_t made() const { return count_ - 1; }
   // What a swap has to know that failed at that count of changes. It can succeed only if something changed at every
   // vertex of its edge or face, as all tetrahedra concerned have these, and then only if one of them changed.
   SwapMemory since(Index tet, std::uint32_t triedAt) const
   {
-    if (triedAt == Never)
-    {
-      return {};
-    }
     unsigned corners = 0;
     for (unsigned i = 0; i < 4; ++i)
     {
       corners |= anyAtVertex(mesh_.tet(tet).vertex[i], triedAt) ? 1U << i : 0;
     }
-    return { corners, &ofTet_, triedAt };
+    return { corners, &ofTet_, triedAt, count_ };
   }
   bool isWorthMoving(Index v) const { return anyAtVertex(v, unmoved_[v]); }
   void noteUnmoved(Index v) { unmoved_[v] = count_; }
@@ -88,10 +84,10 @@ public:
   }
 
 private:
-  bool anyAtVertex(Index v, std::uint32_t triedAt) const { return triedAt == Never || last_[v] > triedAt; }
+  bool anyAtVertex(Index v, std::uint32_t triedAt) const { return last_[v] > triedAt; }
   void note(const std::vector<Index>& tets)
   {
-    ofTet_.resize(std::max(ofTet_.size(), mesh_.tetSlots()), 0);
+    ofTet_.resize(std::max(ofTet_.size(), mesh_.tetSlots()), count_);
     for (const Index t : tets)
     {
       ofTet_[t] = count_;
@@ -108,7 +104,7 @@ private:
   std::vector<std::uint32_t> last_;    // by vertex
   std::vector<std::uint32_t> ofTet_;   // the same by tetrahedron
   std::vector<std::uint32_t> unmoved_; // by vertex: when it could not be moved
-  std::uint32_t count_ = 0;
+  std::uint32_t count_ = 1;            // so that everything has changed since Never
 };
 
 struct Candidate
@@ -206,6 +202,6 @@ std::size_t improveBeyondFront(
     work = swapAway(work, mesh, improvement, changes);
     moveCorners(work, mesh, improvement, changes);
   }
-  return changes.count();
+  return changes.made();
 }
 } // namespace ransmesh

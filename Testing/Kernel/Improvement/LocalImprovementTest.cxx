@@ -56,12 +56,12 @@ TEST_F(LocalImprovements, SwapsAreNotTriedWhereNothingHasChanged)
   std::size_t swapped = 0;
   for (Index t = 0; t < static_cast<Index>(mesh_.tetSlots()); ++t)
   {
-    EXPECT_FALSE(!mesh_.tet(t).isAlive() || improvement_.swap(t, { 0b1111, &changedAt, 3 }));
+    EXPECT_FALSE(!mesh_.tet(t).isAlive() || improvement_.swap(t, { 0b1111, &changedAt, 3, 3 }));
   }
   for (Index t = 0; t < static_cast<Index>(changedAt.size()); ++t)
   {
     changedAt.resize(mesh_.tetSlots(), 3);
-    swapped += mesh_.tet(t).isAlive() && improvement_.swap(t, { 0b1111, &changedAt, 2 });
+    swapped += mesh_.tet(t).isAlive() && improvement_.swap(t, { 0b1111, &changedAt, 2, 3 });
   }
   EXPECT_GT(swapped, 0U);
   invariants::expectValid(mesh_);
