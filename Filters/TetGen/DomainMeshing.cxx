@@ -232,6 +232,21 @@ Outcome explainFailure(
   }
   return { last.kind, text };
 }
+// failures: of the attempts before, a line each.
+void remarkOnSwitches(const std::string& failures, MeshingResult& result)
+{
+  if (!failures.empty())
+  {
+    result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
+      result.switches + "; before:" + failures);
+  }
+  if (result.switches.ends_with("D1"))
+  {
+    result.remarks.emplace_back(
+      "The mesh is made without refining, as the last resort: sizes and quality are poor. SurfaceEdgeLength "
+      "(ransmesh --surface-size) remeshes the surface");
+  }
+}
 } // namespace
 
 Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const TetGenWorker& worker,
@@ -264,16 +279,9 @@ Outcome meshDomain(const Domain& domain, const MeshingOptions& options, const Te
     }
     failures += "\n" + end.outcome.message;
   }
-  if (end.outcome.ok() && !failures.empty())
+  if (end.outcome.ok())
   {
-    result.remarks.push_back("TetGen needed more than one attempt and succeeded with the switches " +
-      result.switches + "; before:" + failures);
-  }
-  if (end.outcome.ok() && result.switches.ends_with("D1"))
-  {
-    result.remarks.emplace_back(
-      "The mesh is made without refining, as the last resort: sizes and "
-      "quality are poor. SurfaceEdgeLength (ransmesh --surface-size) remeshes the surface");
+    remarkOnSwitches(failures, result);
   }
   const bool isUnexplained = end.outcome.kind == Outcome::Kind::BadInput && result.problems.empty();
   return isUnexplained && !end.exhausted ? explainFailure(end.outcome, attempts, domain, context, result)
