@@ -1,5 +1,6 @@
 #include "EnrichmentOutput.h"
 
+#include "LargeArray.h"
 #include "MeshConversion.h"
 #include "PatchFieldData.h"
 
@@ -30,8 +31,8 @@ void addCellArray(const char* name, const std::vector<Value>& ofTets, Value fill
 {
   vtkNew<Array> array;
   array->SetName(name);
-  array->SetNumberOfValues(grid->GetNumberOfCells());
-  auto* const end = std::copy(ofTets.begin(), ofTets.end(), array->GetPointer(0));
+  auto* const end =
+    std::copy(ofTets.begin(), ofTets.end(), resizeLarge(array.Get(), grid->GetNumberOfCells()));
   std::fill(end, array->GetPointer(0) + grid->GetNumberOfCells(), fill);
   grid->GetCellData()->AddArray(array);
 }
@@ -103,6 +104,10 @@ void addReasonNames(vtkFieldData* fieldData)
 
 void carryPointData(const std::vector<Index>& origin, vtkPointData* from, vtkPointData* to)
 {
+  if (from->GetNumberOfArrays() == 0)
+  {
+    return;
+  }
   to->CopyAllocate(from, static_cast<vtkIdType>(origin.size()));
   for (std::size_t i = 0; i < origin.size(); ++i)
   {
@@ -120,8 +125,8 @@ void writeEnrichedMesh(
   addCellArray<vtkIntArray>(contract::PrismId, numberPrisms(enriched), None, grid);
   vtkNew<vtkIntArray> columns;
   columns->SetName(contract::ColumnId);
-  columns->SetNumberOfValues(grid->GetNumberOfPoints());
-  std::copy(enriched.column.begin(), enriched.column.end(), columns->GetPointer(0));
+  std::copy(
+    enriched.column.begin(), enriched.column.end(), resizeLarge(columns.Get(), grid->GetNumberOfPoints()));
   grid->GetPointData()->AddArray(columns);
 }
 

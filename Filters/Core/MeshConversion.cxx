@@ -1,5 +1,6 @@
 #include "MeshConversion.h"
 
+#include "LargeArray.h"
 #include "PatchFieldData.h"
 
 #include "Mesh/FaceMatching.h"
@@ -73,6 +74,7 @@ bool inRange(const Cell& cell, std::size_t points)
 
 void readPoints(vtkUnstructuredGrid* grid, MeshData& mesh)
 {
+  reserveLarge(mesh.points, static_cast<std::size_t>(grid->GetNumberOfPoints()));
   mesh.points.resize(grid->GetNumberOfPoints());
   for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
   {
@@ -85,6 +87,7 @@ void readPoints(vtkUnstructuredGrid* grid, MeshData& mesh)
 Outcome readCells(vtkUnstructuredGrid* grid, MeshData& mesh)
 {
   auto* patchIds = grid->GetCellData()->GetArray(contract::PatchId);
+  reserveLarge(mesh.tetrahedra, static_cast<std::size_t>(grid->GetNumberOfCells()));
   for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
   {
     vtkIdType size = 0;
@@ -147,10 +150,8 @@ vtkSmartPointer<vtkCellArray> toCellArray(const MeshData& mesh)
   const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
   vtkNew<vtkIdTypeArray> offsets;
   vtkNew<vtkIdTypeArray> connectivity;
-  offsets->SetNumberOfValues(tets + triangles + 1);
-  connectivity->SetNumberOfValues(4 * tets + 3 * triangles);
-  vtkIdType* offset = offsets->GetPointer(0);
-  vtkIdType* next = connectivity->GetPointer(0);
+  vtkIdType* offset = resizeLarge(offsets.Get(), tets + triangles + 1);
+  vtkIdType* next = resizeLarge(connectivity.Get(), 4 * tets + 3 * triangles);
   *offset = 0;
   appendCells(mesh.tetrahedra, offset, next);
   appendCells(mesh.triangles, offset, next);
@@ -190,6 +191,7 @@ void writeMesh(const MeshData& mesh, const PatchTable& patches, vtkUnstructuredG
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
   auto* coordinate = static_cast<double*>(points->GetVoidPointer(0));
+  preferLargePages(coordinate, 3 * sizeof(double) * mesh.points.size());
   for (const Vector3& p : mesh.points)
   {
     for (const double x : { p.x, p.y, p.z })
@@ -200,13 +202,11 @@ void writeMesh(const MeshData& mesh, const PatchTable& patches, vtkUnstructuredG
   const auto tets = static_cast<vtkIdType>(mesh.tetrahedra.size());
   const auto triangles = static_cast<vtkIdType>(mesh.triangles.size());
   vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfValues(tets + triangles);
-  std::fill_n(types->GetPointer(0), tets, static_cast<unsigned char>(VTK_TETRA));
+  std::fill_n(resizeLarge(types.Get(), tets + triangles), tets, static_cast<unsigned char>(VTK_TETRA));
   std::fill_n(types->GetPointer(tets), triangles, static_cast<unsigned char>(VTK_TRIANGLE));
   vtkNew<vtkIntArray> patchIds;
   patchIds->SetName(contract::PatchId);
-  patchIds->SetNumberOfValues(tets + triangles);
-  std::fill_n(patchIds->GetPointer(0), tets, 0);
+  std::fill_n(resizeLarge(patchIds.Get(), tets + triangles), tets, 0);
   std::copy(mesh.trianglePatch.begin(), mesh.trianglePatch.end(), patchIds->GetPointer(tets));
   grid->SetPoints(points);
   grid->SetCells(types, toCellArray(mesh));
