@@ -130,6 +130,7 @@ int vtkRANSPointRemoval::RequestData(
   ransmesh::writePlan(plan, output->GetFieldData());
   this->NumberOfMarkedPoints = static_cast<vtkIdType>(result.marked);
   this->NumberOfRemovedPoints = static_cast<vtkIdType>(result.removed);
+  this->NumberOfShapePoints = static_cast<vtkIdType>(result.neededByShape);
   context.remark(result.text());
   return 1;
 }
@@ -139,4 +140,5 @@ void vtkRANSPointRemoval::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfMarkedPoints: " << this->NumberOfMarkedPoints << "\n";
   os << indent << "NumberOfRemovedPoints: " << this->NumberOfRemovedPoints << "\n";
+  os << indent << "NumberOfShapePoints: " << this->NumberOfShapePoints << "\n";
 }

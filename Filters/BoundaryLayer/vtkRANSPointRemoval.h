@@ -35,10 +35,12 @@ public:
   ///@{
   /**
    * Of the last execution: points that lay in the layers' region and might go; of these, points that
-   * were removed.
+   * were removed, and points that stayed because the surface's shape needs them: on surfaces and ridges that would
+   * turn by more than MaximumSurfaceAngle, or come away from what they were, without them.
    */
   vtkGetMacro(NumberOfMarkedPoints, vtkIdType);
   vtkGetMacro(NumberOfRemovedPoints, vtkIdType);
+  vtkGetMacro(NumberOfShapePoints, vtkIdType);
   ///@}
 
 protected:
@@ -53,6 +55,7 @@ private:
 
   vtkIdType NumberOfMarkedPoints = 0;
   vtkIdType NumberOfRemovedPoints = 0;
+  vtkIdType NumberOfShapePoints = 0;
 };
 
 #endif

@@ -207,8 +207,8 @@ std::string toJson(const Arguments& a, const ChainResult& r)
        << ", \"growth\": " << a.options.growth << ", \"layers\": " << a.options.layers
        << ",\n \"valid\": " << (r.faults.empty() ? "true" : "false") << ", \"faults\": " << quoted(r.faults)
        << ",\n \"seconds\": [" << r.seconds[0] << ", " << r.seconds[1] << ", " << r.seconds[2] << "]"
-       << ",\n \"marked\": " << r.marked << ", \"removed\": " << r.removed << ", \"asked\": " << r.asked
-       << ", \"requested\": " << r.requested << ", \"inserted\": " << r.inserted
+       << ",\n \"marked\": " << r.marked << ", \"removed\": " << r.removed << ", \"of_shape\": " << r.ofShape
+       << ", \"asked\": " << r.asked << ", \"requested\": " << r.requested << ", \"inserted\": " << r.inserted
        << ",\n \"columns\": " << r.columns << ", \"full_columns\": " << r.fullColumns
        << ",\n \"stop_reasons\": {";
   const char* separator = "";
@@ -226,8 +226,11 @@ std::string toJson(const Arguments& a, const ChainResult& r)
        << ", \"largest_angle\": " << r.largestAngle
        << ", \"largest_angle_outside\": " << r.largestAngleOutside << ", \"volume_change\": ["
        << r.volumeChangeByRemoval << ", " << r.volumeChange << "]"
-       << ", \"area_with_first_height\": " << r.areaWithFirstHeight << ", \"growth_off\": " << r.growthOff
-       << ", \"copies_of_wall_faces\": " << r.copiesOfWallFaces << "}\n";
+       << ", \"area_with_first_height\": " << r.areaWithFirstHeight
+       << ", \"area_away_from_gaps\": " << r.areaAwayFromGaps
+       << ", \"columns_with_their_layers\": " << r.columnsWithTheirLayers
+       << ", \"growth_off\": " << r.growthOff << ", \"copies_of_wall_faces\": " << r.copiesOfWallFaces
+       << "}\n";
   return text.str();
 }
 

@@ -33,7 +33,7 @@ REAL = (
 REMESHED = (("hifire4_flyer.stl.gz", 0.06), ("basic_finner.stl.gz", 0.1))
 REAL_GOALS = {"inserted": 0.9999, "full": 0.98, "175": 0.002, "179": 0.0005}
 COLUMNS = ("case", "h0", "inserted of requested", "of asked", "full columns (smooth points)", "> 175° (layers)", "> 179°",
-           "wall copies", "area with h0",
+           "wall copies", "full, or what gaps leave", "area with h0", "away from gaps",
            "growth off at 99 %", "valid", "left by removal", "seconds", "why columns stopped")
 
 
@@ -103,6 +103,14 @@ def full_columns(name, result, layers):
     return share(sum(result["stop_reasons"].get(reason, 0) for reason in limited), result["columns"])
 
 
+def left_by_removal(result):
+    """Of the points marked those that stayed, without those that the surface's shape needs."""
+    left = result["marked"] - result["removed"] - result["of_shape"]
+    text = f"{left} of {result['marked']}"
+    shape = f", shape {result['of_shape']}" if result["of_shape"] else ""
+    return (f"**{text}**" if left > 0.001 * result["marked"] else text) + shape
+
+
 def row_of(name, result, judged, goals):
     layers = judged.get("layers", {})
     tets = result["layer_tetrahedra"]
@@ -116,10 +124,12 @@ def row_of(name, result, judged, goals):
             percent(share(result["over_175"], tets), goals["175"], True),
             percent(share(result["over_179"], tets), goals["179"], True),
             percent(result["copies_of_wall_faces"]),
-            percent(result["area_with_first_height"], 0.999),
+            percent(result["columns_with_their_layers"]),
+            percent(result["area_with_first_height"]),
+            percent(result["area_away_from_gaps"], 0.999),
             percent(result["growth_off"], 0.05, True),
             ("yes" if judged else "by the kernel") if valid else f"**no: {faults}**",
-            f"{result['marked'] - result['removed']} of {result['marked']}",
+            left_by_removal(result),
             " + ".join(f"{s:.1f}" for s in result["seconds"]), reasons)
 
 
@@ -128,7 +138,7 @@ def run_row(args, folder, name, options, goals):
     program = subprocess.run([args.program, *options, "-o", str(mesh)], capture_output=True, text=True,
                              timeout=args.timeout, check=False)
     if not program.stdout.strip():
-        return (name, "", f"**failed: {program.stderr.strip()[:300] or program.returncode}**") + ("",) * 11
+        return (name, "", f"**failed: {program.stderr.strip()[:300] or program.returncode}**") + ("",) * (len(COLUMNS) - 3)
     result = json.loads(program.stdout)
     judged = judge(args.referee, name, mesh, result) if args.referee else {}
     if not args.keep:
@@ -156,7 +166,7 @@ def main():
             try:
                 row = run_row(args, args.keep or temporary, name, options, goals)
             except subprocess.TimeoutExpired:
-                row = (name, "", f"**not done in {args.timeout:g} s**") + ("",) * 11
+                row = (name, "", f"**not done in {args.timeout:g} s**") + ("",) * (len(COLUMNS) - 3)
             print("| " + " | ".join(row) + " |", flush=True)
 
 

@@ -81,6 +81,7 @@ TEST_F(PointRemovalFilter, EmptiesTheRegionAndGivesAValidMesh)
   EXPECT_TRUE(faults.none()) << faults.text();
   EXPECT_GT(this->Filter->GetNumberOfMarkedPoints(), 100);
   EXPECT_GE(this->Filter->GetNumberOfRemovedPoints(), this->Filter->GetNumberOfMarkedPoints() - 1);
+  EXPECT_EQ(this->Filter->GetNumberOfShapePoints(), 0);
   EXPECT_EQ(
     this->Plate->GetNumberOfPoints() - output->GetNumberOfPoints(), this->Filter->GetNumberOfRemovedPoints());
   auto* patch = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray(contract::PatchId));

@@ -112,6 +112,7 @@ TEST_P(Cases, AreValidAndReachTheirGoals)
   EXPECT_GE(shareOfFullColumns(c, result), goals.fullColumns);
   EXPECT_LE(result.marked - result.removed, mostLeft(c, result));
   EXPECT_GE(result.areaWithFirstHeight, leastArea(c));
+  EXPECT_GE(result.areaAwayFromGaps, leastArea(c));
   EXPECT_LT(result.growthOff, 0.05);
   if (c.copiesAtEachLevel && result.requested == result.asked)
   {

@@ -217,16 +217,17 @@ private:
     const std::vector<FaceAtVertex> carrying = carryingFaces(s, sides);
     const SideProjection lay(normalsOf(sides));
     const std::vector<Vector3> normals = normalsOf(std::span(carrying));
-    const Vector3 d = mostVisible(normals, lay, lay(wallNormal));
-    const double least = visibility(normals, d);
-    column.direction = scaledStep(s.walls, d);
+    const Vector3 seeing = mostVisible(normals, lay, lay(wallNormal));
+    const bool wallsOnly = carrying.size() == s.walls.size();
+    column.direction = wallsOnly ? evenStep(s.walls, lay, seeing) : scaledStep(s.walls, seeing);
+    const double least = visibility(normals, normalized(column.direction));
     if (isSmooth(least, s.patch))
     {
       return StopReason::Complete;
     }
     const bool seesAll = least > LeastVisibility;
     FaceRing ring;
-    if (carrying.size() == s.walls.size() && makeRing(s.walls, ring) &&
+    if (wallsOnly && makeRing(s.walls, ring) &&
       (aimFan(s, ring, lay, seesAll, column) || aimTensor(s, ring, sides, column)))
     {
       return StopReason::Complete;

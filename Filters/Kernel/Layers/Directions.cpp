@@ -17,6 +17,20 @@ const Vector3& leastVisible(const std::vector<Vector3>& normals, const Vector3& 
   return *std::min_element(normals.begin(), normals.end(),
     [&d](const Vector3& a, const Vector3& b) { return dot(a, d) < dot(b, d); });
 }
+
+// The face above which the step's rise differs most from one.
+const Vector3& mostMissed(std::span<const FaceAtVertex> walls, const Vector3& step)
+{
+  const auto miss = [&step](const FaceAtVertex& f) { return std::fabs(1 - dot(f.normal, step)); };
+  return std::max_element(walls.begin(), walls.end(),
+    [&](const FaceAtVertex& a, const FaceAtVertex& b) { return miss(a) < miss(b); })
+    ->normal;
+}
+
+double largestMiss(std::span<const FaceAtVertex> walls, const Vector3& step)
+{
+  return std::fabs(1 - dot(mostMissed(walls, step), step));
+}
 } // namespace
 
 SideProjection::SideProjection(const std::vector<Vector3>& normals)
@@ -34,7 +48,7 @@ SideProjection::SideProjection(const std::vector<Vector3>& normals)
   }
 }
 
-Vector3 SideProjection::operator()(Vector3 d) const
+Vector3 SideProjection::inPlanes(Vector3 d) const
 {
   for (int pass = 0; pass < 2; ++pass) // twice: the first leaves rounding errors
   {
@@ -43,7 +57,7 @@ Vector3 SideProjection::operator()(Vector3 d) const
       d = d - dot(d, u) * u;
     }
   }
-  return normalized(withoutRounding(d));
+  return withoutRounding(d);
 }
 
 Vector3 withoutRounding(Vector3 d)
@@ -99,5 +113,36 @@ Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d)
   }
   const double mean = rise / weight;
   return (1 / std::max(mean, 1 / LargestScale)) * d;
+}
+
+// Goes again and again to where the step would rise as it should above the face that it misses most, and keeps the best.
+Vector3 evenStep(std::span<const FaceAtVertex> walls, const SideProjection& lay, const Vector3& d)
+{
+  constexpr double even = 0.05; // of the height
+  constexpr double near = 0.09; // else rather right above most than about right above all
+  constexpr int rounds = 100;
+  constexpr double markedly = 0.95;
+  constexpr double longest = 3; // of what is high one: into narrower crooks the scaled step leads
+  const Vector3 scaled = scaledStep(walls, d);
+  double least = largestMiss(walls, scaled);
+  if (least < even)
+  {
+    return scaled;
+  }
+  Vector3 best = scaled;
+  Vector3 step = scaled;
+  for (int i = 0; i < rounds; ++i)
+  {
+    const Vector3& normal = mostMissed(walls, step);
+    step += (1 - i / static_cast<double>(rounds)) * (1 - dot(normal, step)) * lay.inPlanes(normal);
+    if (const double miss = largestMiss(walls, step); miss < least)
+    {
+      least = miss;
+      best = step;
+    }
+  }
+  const std::vector<Vector3> normals = normalsOf(walls);
+  const bool seesAll = visibility(normals, normalized(best)) > markedly * visibility(normals, d);
+  return least < near && seesAll && norm(best) <= longest ? best : scaled;
 }
 } // namespace ransmesh

@@ -14,7 +14,9 @@ class SideProjection
 public:
   explicit SideProjection(const std::vector<Vector3>& normals);
   // Unit length; zero where nothing is left.
-  Vector3 operator()(Vector3 d) const;
+  Vector3 operator()(const Vector3& d) const { return normalized(inPlanes(d)); }
+  // Of the length that is left.
+  Vector3 inPlanes(Vector3 d) const;
 
 private:
   std::vector<Vector3> axes_;
@@ -32,6 +34,11 @@ Vector3 mostVisible(const std::vector<Vector3>& normals, const SideProjection& l
 
 std::vector<Vector3> normalsOf(std::span<const FaceAtVertex> faces);
 
-// The step along the unit direction d that rises by one above the faces, on their average; at most 2 long.
+// The step that rises by one above the faces, as nearly as it can above each of them, within what the projection leaves.
+// scaledStep of d where that does so already; where no step comes near to one above all; and where the step
+// found would see some face markedly worse: at tips.
+Vector3 evenStep(std::span<const FaceAtVertex> walls, const SideProjection& lay, const Vector3& d);
+
+// The step along the unit direction d that rises by one above the faces, on their average; at most 8 long.
 Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d);
 } // namespace ransmesh

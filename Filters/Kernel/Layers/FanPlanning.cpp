@@ -21,7 +21,8 @@ constexpr double Opposite = -0.985;
 struct Group
 {
   FaceGroup faces;
-  Vector3 direction; // unit
+  Vector3 step;      // rises by one above these
+  Vector3 direction; // of it, unit
 };
 
 Vector3 rotated(const Vector3& d, const Vector3& axis, double angle)
@@ -151,7 +152,9 @@ private:
     for (const FaceGroup& part : parts)
     {
       const auto faces = part.of(ring_);
-      groups.push_back({ part, mostVisible(normalsOf(faces), lay_, lay_(weightedNormal(faces))) });
+      const Vector3 seeing = mostVisible(normalsOf(faces), lay_, lay_(weightedNormal(faces)));
+      const Vector3 step = evenStep(faces, lay_, seeing);
+      groups.push_back({ part, step, normalized(step) });
     }
     return groups;
   }
@@ -166,7 +169,6 @@ private:
     }
     return least;
   }
-  Vector3 stepOf(const Group& g) const { return scaledStep(g.faces.of(ring_), g.direction); }
 
   // The edge behind a group, from the point on.
   Vector3 edgeAfter(const Group& g) const
@@ -217,12 +219,12 @@ private:
     const Group& last = groups_[1];
     Vector3 axis = -1.0 * edgeAfter(first);
     axis = ring_.closed ? axis + edgeAfter(last) : axis;
-    fan.directions = { stepOf(first) };
+    fan.directions = { first.step };
     const std::vector<Vector3> inner = halved_ && ring_.closed && bordersFold(first, last)
       ? through(first.direction, normalized(edgeAfter(first) + edgeAfter(last)), last.direction)
       : between(first.direction, last.direction, axis);
     fan.directions.insert(fan.directions.end(), inner.begin(), inner.end());
-    main = stepOf(last);
+    main = last.step;
     const int mainNumber = static_cast<int>(fan.directions.size());
     for (int i = 0; i <= mainNumber; ++i)
     {
@@ -249,7 +251,7 @@ private:
     for (std::size_t i = 0; i < groups_.size(); ++i)
     {
       const Group& g = groups_[i];
-      add(stepOf(g), g.faces.count);
+      add(g.step, g.faces.count);
       if (ring_.closed || i + 1 < groups_.size())
       {
         const Group& next = groups_[(i + 1) % groups_.size()];

@@ -41,6 +41,7 @@ constexpr int LooseningFrom = 5; // pass
 constexpr int DrivingFrom = 7;
 constexpr int PatienceWithSurfaces = 2; // refusals by the surface, once passes are the same for these
 constexpr double Poor = 0.12;           // quality below which swaps are tried
+constexpr double WallAngleAtLast = 155; // degrees, of a wall's triangles
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
 class Removal
@@ -89,6 +90,8 @@ public:
     result.removed = result.marked - left.size();
     result.remainingOnWalls = static_cast<std::size_t>(
       std::count_if(left.begin(), left.end(), [this](Index v) { return region_.wallNormal.count(v) > 0; }));
+    result.neededByShape = static_cast<std::size_t>(std::count_if(
+      left.begin(), left.end(), [this](Index v) { return remover_.isNeededByShape(v, WallAngleAtLast); }));
     countOf(result.verdicts, RemovalVerdict::Absorbed) = remover_.absorbed();
   }
 
@@ -162,7 +165,7 @@ private:
     const double allowed = allowedAt(v);
     RemovalLimits limits = Passes[pass];
     limits.quality *= pass + 1 == PassCount ? allowed * allowed : allowed;
-    limits.wallAngle = pass < LooseningFrom ? 120 : pass < DrivingFrom ? 140 : 155;
+    limits.wallAngle = pass < LooseningFrom ? 120 : pass < DrivingFrom ? 140 : WallAngleAtLast;
     return limits;
   }
 
@@ -370,7 +373,8 @@ std::string RemovalResult::text() const
 {
   return std::to_string(marked) + " points in the layers' region, " + std::to_string(removed) + " removed, " +
     std::to_string(remaining.size()) + " remain" +
-    (remainingOnWalls > 0 ? ", of these " + std::to_string(remainingOnWalls) + " on walls in corners" : "");
+    (remainingOnWalls > 0 ? ", of these " + std::to_string(remainingOnWalls) + " on walls in corners" : "") +
+    (neededByShape > 0 ? ", " + std::to_string(neededByShape) + " that the surface's shape needs" : "");
 }
 
 RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,

@@ -34,7 +34,10 @@ struct RemovalResult
   std::vector<Index> remaining;     // marked points that are still there, by their number in the mesh
   std::size_t markedOnWalls = 0;    // of all marked: points of walls, in the layers of another wall
   std::size_t remainingOnWalls = 0; // of these
-  RemovalTally verdicts{};          // of all attempts, many of which concern the same point
+  // Of remaining: points that the boundary's shape needs (MaximumSurfaceAngle and Removal/SurfaceMemory.h), as they
+  // are in the end: most lie on curved walls beside concave ridges.
+  std::size_t neededByShape = 0;
+  RemovalTally verdicts{}; // of all attempts, many of which concern the same point
   std::size_t movements = 0;
   std::size_t swaps = 0;
 

@@ -62,6 +62,22 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
   return verdict;
 }
 
+bool VertexRemover::isNeededByShape(Index v, double wallAngle)
+{
+  const VertexKind kind = rules_.classification.kind[v];
+  if (kind == VertexKind::Volume)
+  {
+    return false;
+  }
+  if (kind == VertexKind::Ridge && (ridgeTurns(v) || !ridgeStaysInPlace(v)))
+  {
+    return true;
+  }
+  look(v);
+  return std::none_of(ends_.begin(), ends_.end(),
+    [&](int end) { return judgeSurface(v, link_.ends()[end], wallAngle) == RemovalVerdict::Collapsed; });
+}
+
 Index VertexRemover::nearestApex(Index v, const RemovalLimits& limits)
 {
   look(v);

@@ -26,6 +26,11 @@ public:
   // valid before and after.
   RemovalVerdict remove(Index v, const RemovalLimits& limits);
 
+  // Whether the boundary's shape needs v: it lies on a surface or a ridge that would turn too far, come too far from
+  // what it was, lose another ridge, or get a wall triangle with an angle above wallAngle, degrees, to whichever
+  // neighbour v went.
+  bool isNeededByShape(Index v, double wallAngle);
+
   // The neighbour to which v could go if the fewest tetrahedra gave way.
   Index nearestApex(Index v, const RemovalLimits& limits);
 

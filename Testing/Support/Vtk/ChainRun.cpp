@@ -193,7 +193,11 @@ void judge(vtkPolyData* boundary, const ChainOptions& options, ChainResult& resu
   measureAngles(mesh, result.mesh->GetCellData()->GetArray(contract::LayerId), result);
   vtkDataArray* column = result.mesh->GetPointData()->GetArray(contract::ColumnId);
   countCopies(mesh, column, options.layers, result);
-  result.areaWithFirstHeight = areaWithFirstHeight(mesh, plan);
+  const std::vector<int> inGaps = levelsInGaps(mesh, boundary);
+  const FirstHeightShares firstHeights = firstHeightShares(mesh, plan, inGaps);
+  result.areaWithFirstHeight = firstHeights.ofAll;
+  result.areaAwayFromGaps = firstHeights.awayFromGaps;
+  result.columnsWithTheirLayers = columnsWithTheirLayers(mesh, plan, inGaps);
   result.growthOff = growthOff(mesh, column, plan);
 }
 } // namespace
@@ -232,6 +236,7 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   result.seconds[2] = runStage(enrichment);
   result.marked = removal->GetNumberOfMarkedPoints();
   result.removed = removal->GetNumberOfRemovedPoints();
+  result.ofShape = removal->GetNumberOfShapePoints();
   result.requested = enrichment->GetNumberOfRequestedPoints();
   result.inserted = enrichment->GetNumberOfInsertedPoints();
   result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));

@@ -48,6 +48,7 @@ struct ChainResult
   std::array<double, 3> seconds{}; // mesher, removal, enrichment
   vtkIdType marked = 0;            // points that removal was to take out
   vtkIdType removed = 0;
+  vtkIdType ofShape = 0;   // points that stay because the surface's shape needs them
   vtkIdType requested = 0; // points of layers, after the limits
   vtkIdType inserted = 0;
   vtkIdType asked = 0; // the same before the limits
@@ -64,8 +65,10 @@ struct ChainResult
   double largestAngleOutside = 0; // in the other tetrahedra
   double copiesOfWallFaces =
     0; // share of the copies of wall triangles, at all levels asked for, that are faces
-  double areaWithFirstHeight = 0; // share of the walls' area, within a tenth of the height asked for
-  double growthOff = 0;           // of the growth rate between levels, as a share, at the 99th percentile
+  double areaWithFirstHeight = 0;    // share of the walls' area, within a tenth of the height asked for
+  double areaAwayFromGaps = 0;       // the same of the triangles that no gap touches
+  double columnsWithTheirLayers = 0; // share, at smooth points, that are full or have what a gap leaves
+  double growthOff = 0;              // of the growth rate between levels, as a share, at the 99th percentile
   // How much of the fluid's volume came or went in each stage, as a share: nothing where sides are plane.
   double volumeChangeByRemoval = 0;
   double volumeChange = 0; // by the enrichment
