@@ -67,16 +67,15 @@ double shareOfFullColumns(const Case& c, const chain_run::ChainResult& result)
   return share(full, result.columns);
 }
 
-// Of the walls, away from gaps and wakes: how much must have the first height asked for. With coarse triangles the
-// tip of a cone from inside is much of it.
+// Of the walls: how much must have the first height asked for. Coarse triangles count for much: those at the tip of a
+// narrow cone from inside, of a cylinder beside the floor it lies on, and a row between walls of different first heights.
 double leastArea(const Case& c)
 {
   const auto isA = [&c](const char* what) { return c.name.find(what) != std::string::npos; };
-  // Where walls of different first heights meet in a plane, one row of triangles has both.
-  const bool isMixed = isA("floors") && c.patchLayers[0].firstHeight > 1;
-  return isA("-gap") || isA("-floor") || isA("-mirror") || isA("wake") || isMixed ? 0
-    : isA("cone-inside")                                                          ? 0.97
-                                                                                  : 0.999;
+  return isA("cone-inside10")                           ? 0.98
+    : isA("cylinder-floor")                             ? 0.96
+    : isA("floors") && c.patchLayers[0].firstHeight > 1 ? 0.87
+                                                        : 0.999;
 }
 
 // Marked points that removal may leave. In a slot narrower than the layers the edges on both sides of its end stand in

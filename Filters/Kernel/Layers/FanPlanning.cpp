@@ -87,6 +87,10 @@ private:
       turned[i + 1] = turned[i] + (turn.isConvex ? turn.angle : 0);
     }
     const double total = turned.back();
+    if (total == 0) // into a tip, not around it
+    {
+      return { { 0, ring_.faces.size() } };
+    }
     const double parts = std::max(ring_.closed ? 3.0 : 2.0, std::ceil(total / TipTurn));
     return splitRing(ring_,
       [&](std::size_t i)
@@ -271,8 +275,10 @@ private:
         cone.push_back(normalized(cross(units[i], units[(i + 1) % units.size()])));
       }
     }
-    main = mostVisible(cone, lay_, lay_(middle));
-    return visibility(cone, main) > LeastInside;
+    const Vector3 amid = mostVisible(cone, lay_, lay_(middle));
+    const bool isInside = visibility(cone, amid) > LeastInside;
+    main = isInside ? amid : main;
+    return isInside;
   }
 
   const Vector3& point_;

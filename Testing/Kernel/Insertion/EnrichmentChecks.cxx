@@ -1,5 +1,6 @@
 #include "Insertion/EnrichmentChecks.h"
 
+#include "Geometry/TetrahedronMeasures.h"
 #include "Mesh/Validation.h"
 #include "Support/Invariants.h"
 
@@ -75,6 +76,19 @@ EnrichedMesh enrichAndCheck(
   checkArrays(enriched);
   checkCounts(enriched);
   return enriched;
+}
+
+double largestLayerAngle(const EnrichedMesh& enriched)
+{
+  double largest = 0;
+  const auto& p = enriched.mesh.points;
+  for (std::size_t t = 0; t < enriched.layer.size(); ++t)
+  {
+    const auto& v = enriched.mesh.tetrahedra[t];
+    largest = enriched.layer[t] > 0 ? std::max(largest, largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]))
+                                    : largest;
+  }
+  return largest;
 }
 
 void expectCompleteLayers(const MeshData& input, const EnrichedMesh& enriched, int wall, int layers)

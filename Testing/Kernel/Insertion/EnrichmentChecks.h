@@ -20,6 +20,9 @@ EnrichedMesh enrichAndCheck(
 // The layers of one wall in a plan for so many patches.
 LayerPlan planFor(std::size_t patches, const std::set<int>& walls, double firstHeight, int layers);
 
+// The largest dihedral angle of the layers' tetrahedra, degrees; 0 without layers.
+double largestLayerAngle(const EnrichedMesh& enriched);
+
 // Are all layers complete, and are copies of the wall patch's triangles faces of the mesh at every level?
 void expectCompleteLayers(const MeshData& input, const EnrichedMesh& enriched, int wall, int layers);
 } // namespace enrichment_checks

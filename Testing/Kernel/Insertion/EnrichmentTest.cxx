@@ -1,4 +1,3 @@
-#include "Geometry/TetrahedronMeasures.h"
 #include "Insertion/EnrichmentChecks.h"
 #include "Mesh/Validation.h"
 #include "Support/GridMesh.h"
@@ -10,21 +9,6 @@ using namespace grid_mesh;
 
 namespace
 {
-double largestLayerAngle(const EnrichedMesh& enriched)
-{
-  double largest = 0;
-  for (std::size_t t = 0; t < enriched.layer.size(); ++t)
-  {
-    if (enriched.layer[t] > 0)
-    {
-      const auto& v = enriched.mesh.tetrahedra[t];
-      const auto& p = enriched.mesh.points;
-      largest = std::max(largest, largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]));
-    }
-  }
-  return largest;
-}
-
 // No angle of a clean layer exceeds the larger of a right angle and the wall's own.
 double largestWallAngle(const MeshData& mesh, int wall)
 {

@@ -1,11 +1,12 @@
 #include "Insertion/EnrichmentChecks.h"
 
-#include "Geometry/TetrahedronMeasures.h"
 #include "Support/GridMesh.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace ransmesh;
 using namespace grid_mesh;
@@ -13,24 +14,37 @@ using namespace enrichment_checks;
 
 namespace
 {
-double largestLayerAngle(const EnrichedMesh& enriched)
-{
-  double largest = 0;
-  const auto& p = enriched.mesh.points;
-  for (std::size_t t = 0; t < enriched.layer.size(); ++t)
-  {
-    const auto& v = enriched.mesh.tetrahedra[t];
-    largest = enriched.layer[t] > 0 ? std::max(largest, largestDihedral(p[v[0]], p[v[1]], p[v[2]], p[v[3]]))
-                                    : largest;
-  }
-  return largest;
-}
-
 void expectAllInserted(const EnrichedMesh& enriched)
 {
   EXPECT_EQ(enriched.report.fans.opened, enriched.report.fans.planned);
   EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
   EXPECT_EQ(enriched.report.columnsByReason[static_cast<int>(StopReason::Complete)], enriched.report.columns);
+}
+
+// Of a fan's columns the lowest speaks for the point of the wall.
+void expectLowestOfEachFan(const EnrichedMesh& enriched)
+{
+  std::map<Index, int> pointsOf; // by column
+  std::map<Index, Index> rootOf;
+  for (std::size_t i = 0; i < enriched.column.size(); ++i)
+  {
+    if (enriched.column[i] != None)
+    {
+      ++pointsOf[enriched.column[i]];
+      rootOf[enriched.column[i]] = enriched.origin[i];
+    }
+  }
+  std::map<Index, int> lowest; // by root
+  for (const auto& [column, points] : pointsOf)
+  {
+    const bool isMain = column < static_cast<Index>(enriched.wallPoints.size()); // which has its base, too
+    int& least = lowest.try_emplace(rootOf[column], points).first->second;
+    least = std::min(least, isMain ? points - 1 : points);
+  }
+  for (const WallPoint& point : enriched.wallPoints)
+  {
+    EXPECT_EQ(point.layersAchieved, lowest.at(enriched.origin[point.point]));
+  }
 }
 
 bool within(double x, double low, double high)
@@ -140,6 +154,27 @@ TEST(Fans, StandBesideEachOtherWithLayersOfAnyThickness)
   for (const double firstHeight : { 1e-7, 1e-3, 5e-3 })
   {
     const EnrichedMesh enriched = cube.enriched(firstHeight, 12);
-    EXPECT_GT(enriched.report.pointsInserted, 0u);
+    EXPECT_GT(enriched.report.pointsInserted, enriched.report.columns);
+    expectLowestOfEachFan(enriched);
   }
+}
+
+// At the end of a slot the columns at the two ends of the short convex edge lean towards each other: each must be
+// joined to the one that turns as far around the edge, not to the one that points most like it.
+TEST(Fans, ColumnsAtTheEndsOfAShortEdgeAreMatchedAcrossIt)
+{
+  constexpr double low = 4.0 / 9;
+  constexpr double width = 0.01;
+  const auto narrowed = [](const Vector3& p) {
+    return Vector3{ p.x, p.y, p.z - (1 - 9 * width) * std::clamp(p.z - low, 0.0, 1.0 / 9) };
+  };
+  const Carved slotted({ 8, 8, 9, narrowed },
+    [](const Vector3& x)
+    {
+      const bool inSlot = x.x > 0.5 && within(x.z, low, low + width);
+      return within(x.x, 0.25, 0.75) && within(x.y, 0.25, 0.75) && within(x.z, 0.2, 0.7) && !inSlot;
+    });
+  const EnrichedMesh enriched = slotted.enriched(1e-4, 10);
+  expectAllInserted(enriched);
+  EXPECT_LT(largestLayerAngle(enriched), 165);
 }

@@ -1,9 +1,14 @@
 #include "Insertion/EnrichmentChecks.h"
 
+#include "Insertion/TensorStacks.h"
+#include "Layers/ColumnBuilder.h"
+#include "Mesh/Builder.h"
 #include "Support/GridMesh.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 
 using namespace ransmesh;
@@ -129,6 +134,16 @@ TEST(TensorCorners, NewPointsOfTheWallsAreReported)
   EXPECT_EQ(onWall.size(), 2 * 25 - 5 + 2u * 5u * 5u);
 }
 
+TEST(TensorCorners, WhereAWallChangesItsLayersThereIsNoGrid)
+{
+  const auto split = [](Side side, const Vector3& middle)
+  { return side == ZLow && middle.y < 0.5 ? 7 : static_cast<int>(side); };
+  LayerPlan plan = planFor(8, { XLow, ZLow, 7 }, 1e-4, 8);
+  plan[7].growthRate = 1.1;
+  const auto enriched = enrichAndCheck(make({ 4, 4, 4 }, split), patches(PatchType::Symmetry, 7), plan);
+  EXPECT_EQ(enriched.report.grids.planned, 4u); // of five ridge points
+}
+
 TEST(TensorCorners, WallsKeepTheirOwnHeights)
 {
   LayerPlan plan = planFor(7, { XLow, ZLow }, 1e-4, 8);
@@ -175,4 +190,80 @@ TEST(TensorCorners, LayersTooThickForTheGridKeepTheirColumns)
   const auto enriched =
     enrichAndCheck(make({ 8, 8, 8 }), patches(PatchType::Symmetry), planFor(7, { XLow, ZLow }, 8e-3, 10));
   EXPECT_GT(enriched.report.pointsInserted, enriched.report.columns);
+}
+
+namespace
+{
+// A box with walls at x = 0 and z = 0 whose columns stand at their full height, whatever is beyond.
+struct Raised
+{
+  TetMesh mesh;
+  ColumnSet set;
+  std::vector<BaseFace> faces;
+  std::vector<Vector3> points; // of the mesh before, then of the columns
+  std::vector<Index> baseNumber;
+
+  Raised(const MeshData& data, double firstHeight)
+  {
+    EXPECT_TRUE(buildTetMesh(data, mesh).ok());
+    set = buildColumns(
+      mesh, BoundaryStars(mesh), patches(PatchType::Symmetry), planFor(7, { XLow, ZLow }, firstHeight, 10));
+    points = data.points;
+    for (std::size_t v = 0; v < points.size(); ++v)
+    {
+      baseNumber.push_back(static_cast<Index>(v));
+    }
+    for (const Column& c : set.columns)
+    {
+      for (int level = 1; level <= c.levels; ++level)
+      {
+        points.push_back(set.pointAt(c, level));
+      }
+      mesh.movePoint(c.vertex, set.pointAt(c, c.levels));
+    }
+    faces = collectBaseFaces(mesh, set);
+    findSides(mesh, set, faces);
+  }
+
+  GridReport grids(double maximumSurfaceAngle) const
+  {
+    const ColumnPoints numbers(set, baseNumber, baseNumber.size());
+    return makeTensorStacks(mesh, set, faces, numbers, baseNumber, points, maximumSurfaceAngle).report;
+  }
+};
+
+// The floor's slope along x changes from one row of points to the next.
+MeshData twistedBox(double slope)
+{
+  return make({ 5, 3, 5, [slope](const Vector3& p) {
+                 return Vector3{ p.x, p.y, p.z + slope * p.x * (1 - p.z) * std::cos(3 * M_PI * p.y) };
+               } });
+}
+} // namespace
+
+TEST(TensorCorners, GridsDoNotTurnTheirWallsTooFar)
+{
+  const Raised box(twistedBox(0.02), 1e-5);
+  EXPECT_EQ(box.grids(10).planned, 4u);
+  EXPECT_EQ(box.grids(10).made, 4u);
+  EXPECT_EQ(box.grids(0.01).made, 0u);
+}
+
+TEST(TensorCorners, GridsDoNotTakeTheirWallsTooFarOffTheirPlanes)
+{
+  const MeshData data = twistedBox(0.09);
+  EXPECT_EQ(Raised(data, 1e-5).grids(60).made, 4u);
+  EXPECT_EQ(Raised(data, 7e-3).grids(60).made, 0u); // as wide as nearly a row of triangles
+}
+
+TEST(TensorCorners, ACornerWhoseTopGotStuckHasNoGrid)
+{
+  Raised box(make({ 4, 4, 4 }), 1e-4);
+  EXPECT_EQ(CornerChoice(box.mesh, box.set, box.faces).count(), 5u);
+  const Column& stuck = box.set.columns[box.set.corners[2].column];
+  box.mesh.movePoint(stuck.vertex, box.set.pointAtHeight(stuck, 0.9 * box.set.thickness(stuck)));
+  const CornerChoice choice(box.mesh, box.set, box.faces);
+  EXPECT_EQ(choice.count(), 4u);
+  EXPECT_EQ(choice.report().planned, 5u);
+  EXPECT_EQ(choice.report().lostPoints, 11u * 11u - 11u);
 }

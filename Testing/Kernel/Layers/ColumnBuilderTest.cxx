@@ -109,15 +109,26 @@ TEST(ColumnBuilder, WhereAWedgeClosesItsGapStopsTheColumn)
   EXPECT_EQ(edge->reason, StopReason::Gap);
 }
 
-TEST(ColumnBuilder, AnAcuteSideLeavesNoColumn)
+TEST(ColumnBuilder, WhereAWallClosesAGapToASymmetryPlaneStopsTheColumn)
 {
-  // The side x = 0 leans inward so far that fluid fills a wedge of ten degrees.
-  const double slope = std::tan(10 * M_PI / 180);
-  const auto wedge = [slope](const Vector3& p) { return Vector3{ p.x, p.y, p.z * (0.001 + slope * p.x) }; };
-  const Columns columns(make({ 4, 4, 4, wedge }), patches(PatchType::Wall), { ZLow, ZHigh, XLow });
+  const auto skew = [](const Vector3& p) { return Vector3{ p.x + 8 * p.z, p.y, p.z }; }; // 7 degrees
+  const Columns columns(make({ 4, 4, 4, skew }), patches(PatchType::Symmetry), { ZLow });
   const Column* edge = columns.at({ 0, 0.5, 0 });
   ASSERT_TRUE(edge);
-  EXPECT_GT(norm(edge->direction), 0);
+  EXPECT_EQ(edge->levels, 0);
+  EXPECT_EQ(edge->reason, StopReason::Gap);
+}
+
+TEST(ColumnBuilder, AStepIntoANarrowWedgeKeepsItsHeight)
+{
+  const double slope = std::tan(15 * M_PI / 180);
+  const auto skew = [slope](const Vector3& p) { return Vector3{ p.x + p.z / slope, p.y, p.z }; };
+  const Columns columns(make({ 4, 4, 4, skew }), patches(PatchType::Symmetry), { ZLow, XLow });
+  const Column* edge = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(edge);
+  EXPECT_EQ(edge->levels, 5);
+  EXPECT_NEAR(edge->direction.z, 1, 1e-9);
+  EXPECT_NEAR(edge->direction.y, 0, 1e-12);
 }
 
 TEST(ColumnBuilder, AnInterfaceFreezesItsPoints)

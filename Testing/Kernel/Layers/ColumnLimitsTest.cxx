@@ -49,6 +49,8 @@ TEST(ColumnLimits, LevelBelowIsTheHighestThatFits)
   const Channel channel(1);
   EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.0999), 9);
   EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.1001), 10);
+  const double height = channel.set.heightsOf(channel.middle()).height(7);
+  EXPECT_EQ(levelBelow(channel.set, channel.middle(), height), 7);
   EXPECT_EQ(levelBelow(channel.set, channel.middle(), 5), 20);
   EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.001), 0);
 }

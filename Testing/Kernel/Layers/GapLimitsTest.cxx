@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace ransmesh;
 using namespace grid_mesh;
 
@@ -19,13 +21,14 @@ struct Ground
   LayerPlan plan;
   ColumnSet set;
 
-  explicit Ground(const Grid& grid, const PatchOf& patchOf = {})
+  explicit Ground(const Grid& grid, const PatchOf& patchOf = {}, int secondWall = ZLow)
     : plan(8)
   {
     EXPECT_TRUE(buildTetMesh(make(grid, patchOf), mesh).ok());
     plan[ZLow].firstHeight = 0.01;
     plan[ZLow].growthRate = 1;
     plan[ZLow].numberOfLayers = 20;
+    plan[secondWall] = plan[ZLow];
     set = buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry, 7), plan);
   }
   void limit(double gapFraction)
@@ -68,6 +71,17 @@ TEST(GapLimits, TheGapIsMeasuredThroughTheMesh)
   }
 }
 
+TEST(GapLimits, AColumnThatLeansKeepsTheHeightOfThoseBesideIt)
+{
+  Ground ground(channel(0.3), {}, XLow);
+  const Column& edge = ground.at(0, 0.5);
+  ASSERT_NEAR(norm(edge.direction), std::sqrt(2), 1e-12);
+  ground.limit(0.3);
+  EXPECT_GE(edge.levels, 8);
+  EXPECT_LE(edge.levels, 9);
+  EXPECT_EQ(edge.reason, StopReason::Gap);
+}
+
 TEST(GapLimits, AWideChannelDoesNotLimit)
 {
   Ground ground(channel(1));
@@ -108,6 +122,10 @@ TEST(GapLimits, EveryWallFaceLooksForItself)
       p.x < 0.5 ? p.z * 0.2 : p.z * (0.2 + p.x - 0.5) - 1.2 * (1 - p.z) * (p.x - 0.5) };
   };
   Ground ground({ 6, 6, 1, ridge });
+  ground.plan[ZLow].normalAngle = 80; // no fan, whose columns look for themselves
+  ground.set =
+    buildColumns(ground.mesh, BoundaryStars(ground.mesh), patches(PatchType::Symmetry, 7), ground.plan);
+  ASSERT_TRUE(ground.set.fans.empty());
   ground.limit(0.3);
   const Column& edge = ground.at(0.5, 0.5);
   EXPECT_GT(edge.direction.x, 0.4);

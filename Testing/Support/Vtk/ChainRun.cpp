@@ -230,7 +230,7 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   mesher->ReleaseDataFlagOn();
   removal->ReleaseDataFlagOn();
   result.seconds[0] = runStage(mesher);
-  const double volume = volumeOf(mesher->GetOutput());
+  result.volume = volumeOf(mesher->GetOutput());
   result.seconds[1] = runStage(removal);
   const double cleared = volumeOf(removal->GetOutput());
   result.seconds[2] = runStage(enrichment);
@@ -240,8 +240,8 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   result.requested = enrichment->GetNumberOfRequestedPoints();
   result.inserted = enrichment->GetNumberOfInsertedPoints();
   result.mesh = vtkUnstructuredGrid::SafeDownCast(enrichment->GetOutputDataObject(0));
-  result.volumeChangeByRemoval = std::fabs(cleared - volume) / volume;
-  result.volumeChange = std::fabs(volumeOf(result.mesh) - cleared) / volume;
+  result.volumeChangeByRemoval = std::fabs(cleared - result.volume) / result.volume;
+  result.volumeChange = std::fabs(volumeOf(result.mesh) - cleared) / result.volume;
   judge(vtkPolyData::SafeDownCast(enrichment->GetOutputDataObject(1)), options, result);
   return result;
 }

@@ -69,6 +69,7 @@ struct ChainResult
   double areaAwayFromGaps = 0;       // the same of the triangles that no gap touches
   double columnsWithTheirLayers = 0; // share, at smooth points, that are full or have what a gap leaves
   double growthOff = 0;              // of the growth rate between levels, as a share, at the 99th percentile
+  double volume = 0;                 // of the fluid as the mesher left it
   // How much of the fluid's volume came or went in each stage, as a share: nothing where sides are plane.
   double volumeChangeByRemoval = 0;
   double volumeChange = 0; // by the enrichment
