@@ -50,7 +50,12 @@ public:
     , steps_(set.columns.size(), 0)
     , refusals_(set.columns.size(), 0)
     , nextStep_(set.columns.size(), 1)
+    , ofCorner_(set.columns.size(), 0)
   {
+    for (const TensorCorner& corner : set.corners)
+    {
+      ofCorner_[corner.column] = 1;
+    }
     for (std::size_t c = 0; c < set.columns.size(); ++c)
     {
       const Column& column = set.columns[c];
@@ -198,13 +203,13 @@ private:
 
   // A stuck top that has most of its last spacing makes the column's last level where it is. Any other is
   // lowered onto the highest level below it; where the mesh beyond does not allow that, it stays, and makes
-  // the last level, of a spacing of its own.
+  // the last level, of a spacing of its own. A grid needs its corner's top on a level.
   void settle(Index c, Column& column)
   {
     const double height = front_.share(c) * set_.thickness(column);
     const int reached = levelBelow(set_, column, height);
     const LayerHeights& heights = set_.heightsOf(column);
-    if (height - heights.height(reached) >= LeastLastSpacing * heights.spacing(reached + 1))
+    if (!ofCorner_[c] && height - heights.height(reached) >= LeastLastSpacing * heights.spacing(reached + 1))
     {
       column.limit(reached + 1, StopReason::Refused);
       return;
@@ -225,6 +230,7 @@ private:
   std::vector<int> steps_;
   std::vector<int> refusals_;
   std::vector<double> nextStep_;      // shares that a top tries to gain at once
+  std::vector<char> ofCorner_;        // by column: does it stand in a tensor corner?
   std::vector<double> height_{ 0.0 }; // after each step, in edges of the wall
   int sweeps_ = 0;
 };
