@@ -1,5 +1,7 @@
 #include "Insertion/EnrichmentChecks.h"
 
+#include "Boundary/Sheets.h"
+#include "Insertion/FrontRaising.h"
 #include "Insertion/TensorStacks.h"
 #include "Layers/ColumnBuilder.h"
 #include "Mesh/Builder.h"
@@ -266,4 +268,43 @@ TEST(TensorCorners, ACornerWhoseTopGotStuckHasNoGrid)
   EXPECT_EQ(choice.count(), 4u);
   EXPECT_EQ(choice.report().planned, 5u);
   EXPECT_EQ(choice.report().lostPoints, 11u * 11u - 11u);
+}
+
+TEST(TensorCorners, ACornerWhoseTopCannotRiseToTheEndKeepsTheGridOfOneLevelLess)
+{
+  // A point that must not move stands in the way of one corner's column, just below its top.
+  constexpr int Layers = 10;
+  const LayerPlan plan = planFor(8, { XLow, ZLow }, 5e-3, Layers);
+  const double thickness = LayerHeights(plan[ZLow]).height(Layers);
+  MeshData data = make({ 4, 4, 4 });
+  const int sheet = addSheet(data,
+    [](const Vector3& middle)
+    {
+      return std::fabs(middle.x - 0.25) < 1e-9 && std::fabs(middle.y - 0.5) < 0.25 && middle.z > 0.25 &&
+        middle.z < 0.5;
+    });
+  OpenedSheets opened;
+  ASSERT_TRUE(openSheets(data, opened).ok());
+  const auto obstacle = std::find_if(data.points.begin(), data.points.end(),
+    [](const Vector3& p) {
+      return distance(p, { 0.25, 0.5, 0.25 }) < 1e-12;
+    });
+  *obstacle = { 0.98 * thickness, 0.5, 0.98 * thickness };
+  PatchTable table = patches(PatchType::Symmetry, sheet);
+  table.back().type = PatchType::Interface;
+
+  TetMesh mesh;
+  ASSERT_TRUE(buildTetMesh(data, mesh).ok());
+  ColumnSet set = buildColumns(mesh, BoundaryStars(mesh), table, plan);
+  RaisingReport report;
+  ASSERT_TRUE(raiseFront(mesh, set, classify(mesh, table), 10, Context(), report));
+  EXPECT_EQ(report.stuck, 1U);
+  const auto isShort = [](const Column& c) { return c.levels < c.asked; };
+  const auto stuck = std::find_if(set.columns.begin(), set.columns.end(), isShort);
+  ASSERT_NE(stuck, set.columns.end());
+  EXPECT_EQ(stuck->levels, Layers - 1);
+  EXPECT_EQ(mesh.point(stuck->vertex), set.pointAt(*stuck, stuck->levels));
+  std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  findSides(mesh, set, faces);
+  EXPECT_EQ(CornerChoice(mesh, set, faces).count(), 5U);
 }
