@@ -117,8 +117,7 @@ public:
         return Outcome::badInput("cell " + std::to_string(c) + " is of VTK type " +
           std::to_string(grid_->GetCellType(c)) +
           "; the mesh must hold tetrahedra, pyramids, wedges and hexahedra, and triangles and quadrilaterals "
-          "on its "
-          "boundary");
+          "on its boundary");
     }
   }
 

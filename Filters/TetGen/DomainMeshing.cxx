@@ -232,6 +232,7 @@ Outcome explainFailure(
   }
   return { last.kind, text };
 }
+
 // failures: of the attempts before, a line each.
 void remarkOnSwitches(const std::string& failures, MeshingResult& result)
 {

@@ -15,20 +15,6 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
   return points;
 }
 
-bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace)
-{
-  const int patch = mesh.boundaryFace(boundaryFace).patch;
-  for (const Index v : mesh.boundaryVertices(boundaryFace))
-  {
-    const Index c = set.standingAt(v);
-    if (c != None && !set.columns[c].staysIn(patch))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 namespace
 {
 void sortRise(BaseFace& face)
@@ -61,7 +47,7 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     }
     face.patch = mesh.boundaryFace(face.face).patch;
     face.vertex = mesh.boundaryVertices(face.face);
-    bool carries = false; // as carriesLayers, with one look at each column
+    bool carries = false; // has it a standing column for which its patch is not a side?
     for (int j = 0; j < 3; ++j)
     {
       face.column[j] = set.standingAt(face.vertex[j]);
@@ -117,8 +103,10 @@ void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>&
     return;
   }
   std::vector<EdgeOfFace> edges;
+  std::vector<char> isBase(mesh.boundarySlots(), 0);
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    isBase[faces[i].face] = 1;
     if (atSide(faces[i].vertex))
     {
       addEdges(faces[i].vertex, static_cast<Index>(i), faces[i].patch, edges);
@@ -127,7 +115,7 @@ void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>&
   for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
     const auto b = static_cast<Index>(i);
-    if (mesh.boundaryFace(b).isAlive() && atSide(mesh.boundaryVertices(b)) && !carriesLayers(mesh, set, b))
+    if (mesh.boundaryFace(b).isAlive() && !isBase[i] && atSide(mesh.boundaryVertices(b)))
     {
       addEdges(mesh.boundaryVertices(b), None, mesh.boundaryFace(b).patch, edges);
     }

@@ -45,14 +45,13 @@ private:
 // Where the face's corners stand on the wall.
 std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face);
 
-// Does the face carry layers: has it a standing column for which its patch is not a side?
-bool carriesLayers(const TetMesh& mesh, const ColumnSet& set, Index boundaryFace);
-
-// All faces that carry layers, by number. Within a level columns rise in order of their roots' numbers, then
-// of their own, in every face alike: that makes neighbouring stacks match. That those of one root rise one
-// after the other keeps the bottoms of fans from having flat tetrahedra.
+// All faces that carry layers, those with a standing column for which their patch is not a side, by number.
+// Within a level columns rise in order of their roots' numbers, then of their own, in every face alike: that makes
+// neighbouring stacks match. That those of one root rise one after the other keeps the bottoms of fans from having
+// flat tetrahedra.
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set);
 
-// Gives every edge of a base face that has no base face beyond it the side patch that lies there.
+// faces: all of them, as collectBaseFaces gives them. Gives every edge of a base face that has no base face beyond it
+// the side patch that lies there.
 void findSides(const TetMesh& mesh, const ColumnSet& set, std::vector<BaseFace>& faces);
 } // namespace ransmesh

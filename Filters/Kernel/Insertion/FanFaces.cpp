@@ -97,6 +97,7 @@ Vector3 FanFaces::directionAt(Index vertex) const
   const Index c = set_.ofVertex[vertex];
   return c == None ? Vector3{} : normalized(set_.columns[c].direction);
 }
+
 Vector3 FanFaces::baseAt(Index vertex) const
 {
   const Index c = set_.ofVertex[vertex];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Mesh/MeshData.h"
+#include "Support/Prefetch.h"
 
 #include <array>
 #include <cstddef>
@@ -89,33 +90,12 @@ public:
   std::size_t liveTets() const { return tets_.size() - freeTets_.size(); }
 
   const Tetrahedron& tet(Index t) const { return tets_[t]; }
-  // Brings the tetrahedron into the cache for one who will look at it soon. Walks wait for memory more than for
-  // anything else: with this, removal from a sphere and a plate took 6 to 9 % less time.
-  void fetchAhead(Index t) const
-  {
-#ifdef __GNUC__
-    __builtin_prefetch(&tets_[t]);
-#else
-    static_cast<void>(t);
-#endif
-  }
-  // The same for a point.
-  void fetchPointAhead(Index v) const
-  {
-#ifdef __GNUC__
-    __builtin_prefetch(&points_[v]);
-#else
-    static_cast<void>(v);
-#endif
-  }
-  const BoundaryFace& boundaryFace(Index b) const
-  {
-    return boundary_[b];
-  }
-  int patchOf(HalfFace h) const
-  {
-    return boundary_[boundaryFaceOf(h)].patch;
-  }
+  // Bring a tetrahedron, or a point, into the cache for one who will look at it soon. Walks wait for memory more than
+  // for anything else: with this, removal from a sphere and a plate took 6 to 9 % less time.
+  void fetchAhead(Index t) const { prefetch(&tets_[t]); }
+  void fetchPointAhead(Index v) const { prefetch(&points_[v]); }
+  const BoundaryFace& boundaryFace(Index b) const { return boundary_[b]; }
+  int patchOf(HalfFace h) const { return boundary_[boundaryFaceOf(h)].patch; }
   // The vertices of boundary face b, turned into the fluid.
   std::array<Index, 3> boundaryVertices(Index b) const
   {
@@ -130,26 +110,14 @@ public:
   void freeTet(Index t);
   Index addBoundaryFace(HalfFace inner, int patch);
   void freeBoundaryFace(Index b);
-  void setPatch(Index b, int patch)
-  {
-    boundary_[b].patch = patch;
-  }
-  void setVertex(Index t, int corner, Index v)
-  {
-    tets_[t].vertex[corner] = v;
-  }
-  void setVertexTet(Index v, Index t)
-  {
-    vertexTet_[v] = t;
-  }
+  void setPatch(Index b, int patch) { boundary_[b].patch = patch; }
+  void setVertex(Index t, int corner, Index v) { tets_[t].vertex[corner] = v; }
+  void setVertexTet(Index v, Index t) { vertexTet_[v] = t; }
   // Makes the two half-faces each other's neighbours; at most one may be a boundary face.
   void link(HalfFace a, HalfFace b);
   // Appends count dead tetrahedra in one piece, to be filled by fillTet; gives the first number.
   Index appendTets(std::size_t count);
-  void fillTet(Index t, const Tetrahedron& content)
-  {
-    tets_[t] = content;
-  }
+  void fillTet(Index t, const Tetrahedron& content) { tets_[t] = content; }
 
 private:
   std::vector<Vector3> points_;

@@ -46,10 +46,16 @@ bool cutsItself(const SurfaceMesh& surface)
   }
   return isFolded(surface) || !findIntersections(surface, 1).empty();
 }
+
 bool nearlyTouchesItself(const SurfaceMesh& surface)
 {
   const double distance = NearlyTouching * extentOf(surface.points).largestLength();
   return !findNearTriangles(surface, distance, 1).empty();
+}
+
+bool isWorse(const SurfaceMesh& made, const SurfaceMesh& given)
+{
+  return cutsItself(made) || (nearlyTouchesItself(made) && !nearlyTouchesItself(given));
 }
 } // namespace
 
@@ -64,8 +70,8 @@ Outcome remeshSurface(
     {
       return outcome;
     }
-    const bool isWorse = cutsItself(made) || (nearlyTouchesItself(made) && !nearlyTouchesItself(surface));
-    if (attempt + 1 == MostAttempts || !isWorse)
+    const bool isLast = attempt + 1 == MostAttempts;
+    if (isLast || !isWorse(made, surface))
     {
       surface = std::move(made);
       break;

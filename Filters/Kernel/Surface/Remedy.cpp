@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace ransmesh
 {
@@ -190,7 +191,7 @@ std::string sheetMeaning(
   {
     stays.push_back(!isOpen[patch]);
   }
-  SurfaceMesh rest = merged;
+  SurfaceMesh rest = std::move(merged);
   keepTriangles(rest, stays);
   const auto count = std::count(isOpen.begin(), isOpen.end(), 1);
   if (rest.triangles.empty() || findOpenEdges(rest, closedBy).count > 0 || count > 1)
