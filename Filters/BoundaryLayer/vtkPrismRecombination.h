@@ -9,10 +9,10 @@
  * such in concave corners and in fans. Where columns end in
  * different levels, pyramids and tetrahedra fill in, so that the mesh stays conforming:
  * quadrilaterals meet quadrilaterals only, those on the boundary are VTK_QUAD cells with their PatchId. All
- * corners of all cells are positive in exact arithmetic. Cells: tetrahedra, pyramids, wedges, hexahedra, then the boundary
- * sorted by patch. Cell arrays of the input are kept (a cell takes the values of one of its tetrahedra), point
- * arrays too. A few points may be added amid prisms that cannot be a wedge on all sides; they take the values
- * of a point beside them, their ColumnId is -1.
+ * corners of all cells are positive in exact arithmetic. Cells: tetrahedra, pyramids, wedges, hexahedra, then
+ * the boundary sorted by patch. Cell arrays of the input are kept (a cell takes the values of one of its
+ * tetrahedra), point arrays too. A few points may be added amid prisms that cannot be a wedge on all sides;
+ * they take the values of a point beside them, their ColumnId is -1.
  *
  * The points of a wedge stand in VTK's documented order: the triangle 0 1 2 turns away from 3 4 5.
  *

@@ -4,7 +4,8 @@
  *
  * Takes the points out of the region that vtkDirectionalEnrichment is going to fill with layers: all
  * that lie within the layers' thickness of a viscous wall, and a little beyond. Points of the walls
- * themselves stay, but for those that lie in another wall's layers at a concave ridge. Where the layers are much thinner than the wall's triangles, nearly nothing changes.
+ * themselves stay, but for those that lie in another wall's layers at a concave ridge. Where the layers are
+ * much thinner than the wall's triangles, nearly nothing changes.
  *
  * Input: a mesh of tetrahedra and boundary triangles with the cell array PatchId, as
  * vtkIsotropicTetMesher gives it; any tetrahedral mesh that keeps this contract will do.

@@ -18,8 +18,8 @@ namespace ransmesh
 RANSMESHINGCORE_EXPORT bool isMixed(vtkUnstructuredGrid* grid);
 
 // Reads points, cells, boundary and patches, as they are turned. cellIds and boundaryIds receive the grid's numbers
-// of the mesh's cells (tetrahedra, pyramids, wedges, hexahedra) and boundary polygons. BadInput for a grid with other cells,
-// or without an integer PatchId array.
+// of the mesh's cells (tetrahedra, pyramids, wedges, hexahedra) and boundary polygons. BadInput for a grid
+// with other cells, or without an integer PatchId array.
 RANSMESHINGCORE_EXPORT Outcome readMixedMesh(vtkUnstructuredGrid* grid, MixedMesh& mesh, PatchTable& patches,
   std::vector<Index>& cellIds, std::vector<Index>& boundaryIds);
 

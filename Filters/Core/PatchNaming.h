@@ -22,8 +22,8 @@ RANSMESHINGCORE_EXPORT PatchType guessType(const std::string& name);
 RANSMESHINGCORE_EXPORT Outcome setTypes(
   const std::vector<std::pair<std::string, std::string>>& typeOfPattern, PatchTable& patches);
 
-// Flags, by number, the patches that the patterns take, beside those that are flagged. BadInput for a pattern that takes
-// none; `option` names where it was given.
+// Flags, by number, the patches that the patterns take, beside those that are flagged. BadInput for a pattern
+// that takes none; `option` names where it was given.
 RANSMESHINGCORE_EXPORT Outcome flagPatches(const std::vector<std::string>& patterns, const char* option,
   const PatchTable& patches, std::vector<char>& flags);
 

@@ -1,5 +1,5 @@
-// Names as OpenFOAM takes them, and the files of zones in a polyMesh folder, which are of text: OpenFOAM takes it beside
-// binary files.
+// Names as OpenFOAM takes them, and the files of zones in a polyMesh folder, which are of text: OpenFOAM
+// takes it beside binary files.
 #ifndef FoamZones_h
 #define FoamZones_h
 

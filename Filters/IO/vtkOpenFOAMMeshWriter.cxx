@@ -31,8 +31,8 @@ const char* typeOf(const BoundaryPatch& patch, const MeshView& mesh)
   return patch.type == PatchType::Wall ? "wall" : "patch";
 }
 
-// By which fields name all patches of a type at once: ours, but OpenFOAM's own for constraints. A plane patch in a group
-// symmetry would be taken for a curved one by caseDicts/setConstraintTypes.
+// By which fields name all patches of a type at once: ours, but OpenFOAM's own for constraints. A plane patch
+// in a group symmetry would be taken for a curved one by caseDicts/setConstraintTypes.
 std::string_view groupOf(const BoundaryPatch& patch, const MeshView& mesh)
 {
   return patch.type == PatchType::Symmetry ? typeOf(patch, mesh) : nameOf(patch.type);

@@ -2,9 +2,9 @@
  * @class   vtkSurfaceRepair
  * @brief   mends what can be mended without changing a surface's shape, and says what it did
  *
- * Welds or stitches borders that nearly coincide, drops degenerate and duplicate triangles, collapses edges that are too short
- * to be meant, turns triangles that run against their neighbours, and fills holes, if that is asked for.
- * vtkIsotropicTetMesher does the same with the same options; this filter shows what comes out.
+ * Welds or stitches borders that nearly coincide, drops degenerate and duplicate triangles, collapses edges
+ * that are too short to be meant, turns triangles that run against their neighbours, and fills holes, if that
+ * is asked for. vtkIsotropicTetMesher does the same with the same options; this filter shows what comes out.
  *
  * Input (repeatable): vtkPolyData, or composite data of them, each triangle with a patch.
  * Output 0: the surface as one vtkPolyData, with the cell array PatchId and the field data PatchNames and
@@ -31,7 +31,8 @@ public:
   ///@{
   /**
    * Points of open edges that lie within this distance of each other, in the unit of the surface, become one, and
-   * those that lie within it of another open edge enter that edge. 0: none. Default -1: a millionth of the largest extent.
+   * those that lie within it of another open edge enter that edge. 0: none. Default -1: a millionth of the
+   * largest extent.
    */
   vtkSetMacro(WeldTolerance, double);
   vtkGetMacro(WeldTolerance, double);

@@ -55,7 +55,8 @@ public:
   ///@{
   /**
    * Points of open edges that lie within this distance of each other, in the unit of the surface, become one, and
-   * those that lie within it of another open edge enter that edge. 0: none. Default -1: a millionth of the largest extent.
+   * those that lie within it of another open edge enter that edge. 0: none. Default -1: a millionth of the
+   * largest extent.
    */
   vtkSetMacro(WeldTolerance, double);
   vtkGetMacro(WeldTolerance, double);

@@ -77,7 +77,8 @@ def measure(label, writer, mesh, path):
         wall, cpu = time.time() - wall, time.process_time() - cpu
         added = (memory("VmHWM") - before) / (mesh.GetActualMemorySize() * 1024)
         size = size_of(path) / 1e6
-        print(f"{label:26}{size:9.1f} MB {wall:7.2f} s {size / wall:8.0f} MB/s  processor {cpu:6.2f} s {size / cpu:7.0f}"
+        print(f"{label:26}{size:9.1f} MB {wall:7.2f} s {size / wall:8.0f} MB/s  "
+              f"processor {cpu:6.2f} s {size / cpu:7.0f}"
               f" MB/s  memory {added:6.3f}", flush=True)
     in_a_process(work)
 

@@ -68,7 +68,8 @@ double shareOfFullColumns(const Case& c, const chain_run::ChainResult& result)
 }
 
 // Of the walls: how much must have the first height asked for. Coarse triangles count for much: those at the tip of a
-// narrow cone from inside, of a cylinder beside the floor it lies on, and a row between walls of different first heights.
+// narrow cone from inside, of a cylinder beside the floor it lies on, and a row between walls of different
+// first heights.
 double leastArea(const Case& c)
 {
   const auto isA = [&c](const char* what) { return c.name.find(what) != std::string::npos; };

@@ -1,4 +1,5 @@
-// Bodies whose layers become prisms: the mesh stays conforming, every corner positive, and most of the layers are wedges.
+// Bodies whose layers become prisms: the mesh stays conforming, every corner positive, and most of the layers
+// are wedges.
 #include "Bodies/Cases.h"
 #include "Vtk/ChainRun.h"
 

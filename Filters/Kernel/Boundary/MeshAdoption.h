@@ -23,7 +23,8 @@ struct NamedRegions
 // - triangles that are no face of a tetrahedron go;
 // - triangles between two tetrahedra stay, as sheets; where their patch has triangles on the boundary, too, they go
 //   to a patch of their own, `<name>_inside`, of type interface;
-// - faces without a triangle between tetrahedra of two regions get one, in a patch `<one>_to_<other>` of type interface;
+// - faces without a triangle between tetrahedra of two regions get one, in a patch `<one>_to_<other>` of type
+//   interface;
 // - outer faces without a triangle get one, in the patch `boundary`, split where it turns by more than
 //   featureAngle degrees (180: one patch).
 // mesh.trianglePatch may be 0 where no patch is known. regions.of: the number of each tetrahedron's; where it is empty,

@@ -11,10 +11,11 @@ namespace ransmesh
 // the surfaces.
 inline constexpr double SheetTolerance = 1e-6;
 
-// Adds the sheets (open surfaces) to a closed surface that prepareSurface (Surface/Preparation.h) has passed. Points of sheets within
-// SheetTolerance of a point of the surface, or of another sheet, become that point; what reaches
-// out of the box, if there is one, is cut off (SheetCutting.h). Collapsed, flat and repeated triangles of sheets are
-// mended as those of surfaces are. BadInput, with findings about the surface as it is then, where a sheet
+// Adds the sheets (open surfaces) to a closed surface that prepareSurface (Surface/Preparation.h) has passed.
+// Points of sheets within SheetTolerance of a point of the surface, or of another sheet, become that point;
+// what reaches out of the box, if there is one, is cut off (SheetCutting.h). Collapsed, flat and repeated
+// triangles of sheets are mended as those of surfaces are. BadInput, with findings about the surface as it is
+// then, where a sheet
 // - has coordinates that are not finite, or triangles without area;
 // - lies outside the box;
 // - cuts or touches a surface or a sheet elsewhere than in common points and edges.

@@ -1,4 +1,5 @@
-// A mesh of tetrahedra, pyramids, wedges and hexahedra with a boundary of triangles and quadrilaterals: what solvers get.
+// A mesh of tetrahedra, pyramids, wedges and hexahedra with a boundary of triangles and quadrilaterals: what
+// solvers get.
 #pragma once
 
 #include "Mesh/MeshData.h"

@@ -29,7 +29,8 @@ inline constexpr double ShortestSplit = 2e-5;
 // Swaps diagonals (swapDiagonals). What is still above SplitTriangleAngle then is obtuse against a ridge or the
 // border of a patch: there the longest side is split at the foot of the opposite corner, in all triangles
 // that meet at it, and diagonals are swapped again, a few times. New points lie on sides, but for rounding, so
-// splits do not change the shape; without maySplit there are none. Sides between two points with `keep` (a flag a point, or none) stay.
+// splits do not change the shape; without maySplit there are none. Sides between two points with `keep` (a
+// flag a point, or none) stay.
 FlatTriangleReport mendFlatTriangles(
   SurfaceMesh& surface, double angle, std::vector<char> keep = {}, bool maySplit = true);
 

@@ -15,7 +15,8 @@ inline constexpr double AutomaticTolerance = -1;
 // Lengths in the surface's unit.
 struct RepairOptions
 {
-  // Points of open edges within this become one, and those within it of another open edge enter it. Automatic: 1e-6 of the surface's largest extent. 0: none.
+  // Points of open edges within this become one, and those within it of another open edge enter it.
+  // Automatic: 1e-6 of the surface's largest extent. 0: none.
   double weldTolerance = AutomaticTolerance;
   // Shorter edges are collapsed. Automatic: 1e-9 of the largest extent. 0: none.
   double shortestEdge = AutomaticTolerance;
@@ -33,8 +34,8 @@ struct Repair
   Vector3 where; // the first
 };
 
-// Welds and stitches borders, drops triangles with two equal corners and duplicates, swaps flat triangles with a neighbour,
-// collapses short edges, turns triangles so that neighbours run alike, fills holes, in this order. Points of equal
-// coordinates become one, which counts as no repair. Coordinates must be finite.
+// Welds and stitches borders, drops triangles with two equal corners and duplicates, swaps flat triangles
+// with a neighbour, collapses short edges, turns triangles so that neighbours run alike, fills holes, in this
+// order. Points of equal coordinates become one, which counts as no repair. Coordinates must be finite.
 std::vector<Repair> repairSurface(SurfaceMesh& surface, PatchTable& patches, const RepairOptions& options);
 } // namespace ransmesh

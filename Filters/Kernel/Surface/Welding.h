@@ -13,7 +13,8 @@ struct WeldReport
 };
 
 // Makes points on open edges that lie within the tolerance (in the surface's unit) of each other one point, the
-// nearest first. Two points of one triangle stay apart, and those that are not nearer than half of the open edges there.
+// nearest first. Two points of one triangle stay apart, and those that are not nearer than half of the open
+// edges there.
 WeldReport weldBorders(SurfaceMesh& surface, double tolerance);
 
 // The smallest tolerance by which weldBorders closes the surface, as far as can be told: the largest distance of a

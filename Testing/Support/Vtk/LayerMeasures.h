@@ -11,8 +11,8 @@ class vtkPolyData;
 
 namespace chain_run
 {
-// By point of the mesh: the number of layers of the columns that a gap has limited, else -1. boundary: the second output
-// of the enrichment.
+// By point of the mesh: the number of layers of the columns that a gap has limited, else -1. boundary: the
+// second output of the enrichment.
 std::vector<int> levelsInGaps(const ransmesh::MeshData& mesh, vtkPolyData* boundary);
 
 // The share of the walls' area whose first tetrahedra are, within a tenth, as high as asked.
@@ -25,8 +25,8 @@ struct FirstHeightShares
 FirstHeightShares firstHeightShares(
   const ransmesh::MeshData& mesh, const ransmesh::LayerPlan& plan, const std::vector<int>& inGaps);
 
-// Of the smooth points of the walls, the share over which the mesh's edges make all layers asked for, or in gaps as many
-// as these leave: found as the quality report does.
+// Of the smooth points of the walls, the share over which the mesh's edges make all layers asked for, or in
+// gaps as many as these leave: found as the quality report does.
 double columnsWithTheirLayers(
   const ransmesh::MeshData& mesh, const ransmesh::LayerPlan& plan, const std::vector<int>& inGaps);
 
