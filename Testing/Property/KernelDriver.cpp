@@ -1,10 +1,12 @@
 #include "KernelDriver.h"
 
 #include "Boundary/Classification.h"
+#include "Geometry/TetrahedronMeasures.h"
 #include "Improvement/LocalImprovement.h"
 #include "Insertion/Enrichment.h"
 #include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
+#include "Mesh/Collapse.h"
 #include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 #include "Mesh/Validation.h"
@@ -38,11 +40,33 @@ private:
   std::size_t at_ = 0;
 };
 
+std::vector<double> areasOf(const MeshData& data, std::size_t patches)
+{
+  std::vector<double> areas(patches);
+  for (std::size_t t = 0; t < data.triangles.size(); ++t)
+  {
+    const auto& v = data.triangles[t];
+    const Vector3& a = data.points[v[0]];
+    areas[static_cast<std::size_t>(data.trianglePatch[t])] +=
+      norm(cross(data.points[v[1]] - a, data.points[v[2]] - a)) / 2;
+  }
+  return areas;
+}
+
+// Whether a tetrahedron has no volume but that of rounding.
+bool anyIsFlat(const MeshData& data)
+{
+  const auto& p = data.points;
+  return std::any_of(data.tetrahedra.begin(), data.tetrahedra.end(),
+    [&](const auto& v) { return quality(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) < 1e-12; });
+}
+
 class Driver
 {
 public:
-  explicit Driver(Choices& choices)
+  Driver(Choices& choices, std::size_t shares)
     : choices_(choices)
+    , shares_(shares)
   {
   }
 
@@ -69,26 +93,32 @@ private:
 
   bool begin();
   const char* perform();
-  std::string findFault() const;
+  std::string findFault();
   bool adopt(const MeshData& data);
   void rebuildRules();
+  std::string findChange(const MeshData& data);
   Index someTet();
   void starSomewhere();
   bool chooseApex(Cavity& cavity, Index& apex);
   void growCavity(Cavity& cavity, std::size_t count);
   void starFacesInPlane(Cavity& cavity, Index apex, int patch) const;
   bool losesOnlyInnerPoints(const Star& star) const;
+  void collapseSomewhere();
+  bool collapseIsPositive(const std::vector<Index>& ball, Index v, Index end) const;
   void improveSomewhere();
   void removeSome();
   void enrichIt();
   LayerPlan somePlan();
 
   Choices& choices_;
+  std::size_t shares_; // of operators, by which they are chosen
   TetMesh mesh_;
   PatchTable patches_;
   BoundaryRules rules_;
   double volume_ = 0;
-  bool isFlat_ = true; // every patch lies in planes
+  std::vector<double> areas_; // by patch
+  bool hadFlat_ = false;      // some tetrahedron since then has been flat but for rounding
+  bool isFlat_ = true;        // every patch lies in planes
   std::string problem_;
 };
 
@@ -128,6 +158,8 @@ bool Driver::adopt(const MeshData& data)
   }
   mesh_ = std::move(mesh);
   volume_ = totalVolume(data);
+  areas_ = areasOf(data, patches_.size());
+  hadFlat_ = anyIsFlat(data);
   rebuildRules();
   return true;
 }
@@ -141,7 +173,7 @@ void Driver::rebuildRules()
 const char* Driver::perform()
 {
   problem_.clear();
-  switch (choices_.upTo(16))
+  switch (choices_.upTo(shares_))
   {
     case 0:
       removeSome();
@@ -157,13 +189,17 @@ const char* Driver::perform()
     case 7:
       improveSomewhere();
       return "improvement";
+    case 16:
+    case 17:
+      collapseSomewhere();
+      return "collapse";
     default:
       starSomewhere();
       return "star";
   }
 }
 
-std::string Driver::findFault() const
+std::string Driver::findFault()
 {
   if (!problem_.empty())
   {
@@ -173,10 +209,31 @@ std::string Driver::findFault() const
   {
     return faults.text();
   }
-  const double volume = totalVolume(toMeshData(mesh_));
-  if (isFlat_ && std::fabs(volume - volume_) > 1e-9 * volume_)
+  return findChange(toMeshData(mesh_));
+}
+
+// Where all patches lie in planes, the domain and its patches stay what they are. Beside tetrahedra that are flat but
+// for rounding, which stars may make in a plane, a triangle of it may be turned over.
+std::string Driver::findChange(const MeshData& data)
+{
+  const auto differs = [](double now, double before) { return std::fabs(now - before) > 1e-9 * before; };
+  if (!isFlat_)
+  {
+    return {};
+  }
+  if (const double volume = totalVolume(data); differs(volume, volume_))
   {
     return "the volume has changed from " + std::to_string(volume_) + " to " + std::to_string(volume);
+  }
+  const std::vector<double> areas = areasOf(data, patches_.size());
+  hadFlat_ = hadFlat_ || anyIsFlat(data);
+  for (std::size_t i = 1; i < areas.size() && !hadFlat_; ++i)
+  {
+    if (differs(areas[i], areas_[i]))
+    {
+      return "the area of " + patches_[i].name + " has changed by " +
+        std::to_string(1e6 * (areas[i] / areas_[i] - 1)) + " millionths";
+    }
   }
   return {};
 }
@@ -292,6 +349,40 @@ void Driver::starSomewhere()
   rebuildRules();
 }
 
+// A vertex of the volume goes to a neighbour, wherever that is.
+void Driver::collapseSomewhere()
+{
+  const Tetrahedron tet = mesh_.tet(someTet());
+  const std::size_t first = choices_.upTo(4);
+  const Index v = tet.vertex[first];
+  const Index end = tet.vertex[(first + 1 + choices_.upTo(3)) % 4];
+  Traversal traversal(mesh_);
+  std::vector<Index> ball;
+  traversal.ball(v, ball);
+  if (rules_.classification.kind[v] == VertexKind::Volume && canCollapse(mesh_, ball, v, end) &&
+    collapseIsPositive(ball, v, end))
+  {
+    collapse(mesh_, ball, v, end);
+    rebuildRules();
+  }
+}
+
+bool Driver::collapseIsPositive(const std::vector<Index>& ball, Index v, Index end) const
+{
+  return std::all_of(ball.begin(), ball.end(),
+    [&](Index t)
+    {
+      std::array<Index, 4> corner = mesh_.tet(t).vertex;
+      if (std::find(corner.begin(), corner.end(), end) != corner.end())
+      {
+        return true; // goes
+      }
+      std::replace(corner.begin(), corner.end(), v, end);
+      return isPositive(
+        mesh_.point(corner[0]), mesh_.point(corner[1]), mesh_.point(corner[2]), mesh_.point(corner[3]));
+    });
+}
+
 void Driver::improveSomewhere()
 {
   LocalImprovement improvement(mesh_, rules_);
@@ -353,21 +444,17 @@ void Driver::enrichIt()
     problem_ = faults.text();
     return;
   }
-  const double volume = totalVolume(result.mesh);
-  if (isFlat_ && std::fabs(volume - volume_) > 1e-9 * volume_)
-  {
-    problem_ = "the volume has changed from " + std::to_string(volume_) + " to " + std::to_string(volume);
-  }
-  else if (result.mesh.tetrahedra.size() < mostTets && !adopt(result.mesh))
+  problem_ = findChange(result.mesh);
+  if (problem_.empty() && result.mesh.tetrahedra.size() < mostTets && !adopt(result.mesh))
   {
     problem_ = "the enriched mesh cannot be built again";
   }
 }
 } // namespace
 
-std::string drive(std::span<const std::uint8_t> bytes)
+std::string drive(std::span<const std::uint8_t> bytes, Operators operators)
 {
   Choices choices(bytes);
-  return Driver(choices).run();
+  return Driver(choices, operators == Operators::All ? 18 : 16).run();
 }
 } // namespace kernel_driver

@@ -7,6 +7,12 @@
 
 namespace kernel_driver
 {
+enum class Operators
+{
+  All,
+  WithoutCollapses // runs remembered from before there were these
+};
+
 // Any bytes will do; they end the run. Gives what went wrong first, with the operator and its number; empty: nothing.
-std::string drive(std::span<const std::uint8_t> bytes);
+std::string drive(std::span<const std::uint8_t> bytes, Operators operators = Operators::All);
 } // namespace kernel_driver
