@@ -96,7 +96,6 @@ bool LocalImprovement::swap(Index tet, const SwapMemory& memory)
 // from b; false if the ring is not closed inside the mesh, or too large.
 bool LocalImprovement::walkAround(Index tet, Index a, Index b)
 {
-  constexpr std::size_t largestRing = 9;
   cavity_.tets.clear();
   ring_.clear();
   const Tetrahedron& first = mesh_.tet(tet);
@@ -115,7 +114,7 @@ bool LocalImprovement::walkAround(Index tet, Index a, Index b)
     cavity_.tets.push_back(t);
     ring_.push_back(behind);
     const HalfFace beyond = here.neighbour[here.cornerOf(behind)];
-    if (isBoundary(beyond) || cavity_.tets.size() > largestRing)
+    if (isBoundary(beyond) || cavity_.tets.size() > largestRing_)
     {
       return false;
     }

@@ -43,10 +43,13 @@ struct SwapMemory
 class LocalImprovement
 {
 public:
-  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = plainQuality)
+  // Edges with more than largestRing tetrahedra around them are not swapped away.
+  LocalImprovement(TetMesh& mesh, const BoundaryRules& rules, ShapeMeasure measure = plainQuality,
+    std::size_t largestRing = 9)
     : mesh_(mesh)
     , rules_(rules)
     , measure_(measure)
+    , largestRing_(largestRing)
     , star_(mesh)
     , traversal_(mesh)
   {
@@ -97,6 +100,7 @@ private:
   TetMesh& mesh_;
   const BoundaryRules& rules_;
   ShapeMeasure measure_;
+  std::size_t largestRing_;
   Star star_;
   Traversal traversal_;
   ShapeMemory shapes_;

@@ -13,7 +13,13 @@ namespace ransmesh
 namespace
 {
 constexpr double Poor = 0.15; // angleQuality that is worth a try
-constexpr int Passes = 5;
+// With the swaps that follow from a swap made at once, three passes leave as little as five did with these in the next
+// pass.
+constexpr int Passes = 3;
+// So many swaps may follow from one.
+constexpr int LongestChain = 30;
+// Of a hundred edges with more tetrahedra around them, three could be swapped away, at twice the cost of others.
+constexpr std::size_t LargestRing = 6;
 // A move may not make the worst quality at its point worse than this part of what it was.
 constexpr double Kept = 1.02;
 
@@ -107,6 +113,11 @@ private:
   std::uint32_t count_ = 1;            // so that everything has changed since Never
 };
 
+bool isPoor(const TetMesh& mesh, Index tet, LocalImprovement& improvement)
+{
+  return mesh.tet(tet).isAlive() && improvement.shapeOf(tet, Poor) < Poor;
+}
+
 struct Candidate
 {
   Index tet;
@@ -126,37 +137,51 @@ void sortByPlace(const TetMesh& mesh, std::vector<Candidate>& work)
     work.begin(), work.end(), [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
 }
 
+// Swaps a candidate away if that can be, and what is poor of that which comes instead, while it is in the cache. What
+// stays poor is added to left.
+void swapAway(const Candidate& first, const TetMesh& mesh, LocalImprovement& improvement, Changes& changes,
+  std::vector<Candidate>& left)
+{
+  std::vector<Candidate> work(1, first);
+  int made = 0;
+  while (!work.empty())
+  {
+    const auto [t, triedAt] = work.back();
+    work.pop_back();
+    if (!isPoor(mesh, t, improvement))
+    {
+      continue;
+    }
+    const SwapMemory memory = changes.since(t, triedAt);
+    if (memory.corners == 0 || made == LongestChain)
+    {
+      left.push_back({ t, triedAt });
+      continue;
+    }
+    if (!improvement.swap(t, memory))
+    {
+      left.push_back({ t, changes.count() });
+      continue;
+    }
+    ++made;
+    changes.noteMade(improvement.made());
+    for (const Index tet : improvement.made())
+    {
+      work.push_back({ tet, Changes::Never });
+    }
+  }
+}
+
 // Swaps away what can be; gives the poor tetrahedra that are there after it.
 std::vector<Candidate> swapAway(
   const std::vector<Candidate>& work, const TetMesh& mesh, LocalImprovement& improvement, Changes& changes)
 {
   std::vector<Candidate> left;
-  const auto isPoor = [&](Index t) { return mesh.tet(t).isAlive() && improvement.shapeOf(t, Poor) < Poor; };
-  for (const auto [t, triedAt] : work)
+  for (const Candidate& candidate : work)
   {
-    if (!isPoor(t))
-    {
-      continue;
-    }
-    const SwapMemory memory = changes.since(t, triedAt);
-    if (memory.corners == 0)
-    {
-      left.push_back({ t, triedAt });
-    }
-    else if (!improvement.swap(t, memory))
-    {
-      left.push_back({ t, changes.count() });
-    }
-    else
-    {
-      changes.noteMade(improvement.made());
-      for (const Index made : improvement.made())
-      {
-        left.push_back({ made, Changes::Never });
-      }
-    }
+    swapAway(candidate, mesh, improvement, changes, left);
   }
-  std::erase_if(left, [&](const Candidate& c) { return !isPoor(c.tet); });
+  std::erase_if(left, [&](const Candidate& c) { return !isPoor(mesh, c.tet, improvement); });
   return left;
 }
 
@@ -188,7 +213,7 @@ void moveCorners(
 std::size_t improveBeyondFront(
   TetMesh& mesh, const ColumnSet& set, const BoundaryRules& rules, const Context& context)
 {
-  LocalImprovement improvement(mesh, rules, angleQuality);
+  LocalImprovement improvement(mesh, rules, angleQuality, LargestRing);
   Changes changes(mesh);
   std::vector<Candidate> work;
   for (const Index t : poorTetsAtTops(mesh, set, improvement))

@@ -26,6 +26,11 @@ enum class MoveVerdict
   Count
 };
 
+inline bool isDone(MoveVerdict verdict)
+{
+  return verdict == MoveVerdict::Moved || verdict == MoveVerdict::Restarred;
+}
+
 class FrontMoves
 {
 public:
@@ -35,8 +40,10 @@ public:
   // Moves the column's top to x, if that can be done; otherwise changes nothing.
   MoveVerdict move(Index column, const Vector3& x, const MoveEffort& effort);
 
-  // Below this a tetrahedron is worth changing the connectivity for.
-  static constexpr double GoodQuality = 0.12;
+  // Below this a tetrahedron is worth changing the connectivity for. Between narrow triangles of the front and points
+  // far beyond all tetrahedra are needles: at 0.12 most changes on an aircraft were made for these, in vain, and what
+  // is poor at the end of the way is mended then (FrontImprovement.h).
+  static constexpr double GoodQuality = 0.01;
   // A move that keeps this part of the worst quality before it needs no new connectivity either.
   static constexpr double QualityKept = 0.9;
 

@@ -17,8 +17,11 @@ namespace
 constexpr double StepOfSize = 0.3;
 constexpr double StepOfHeight = 0.8;
 // Sweeps after the last planned one, with growing effort.
-constexpr int ExtraSweeps = 12;
-constexpr int FailuresPerSweep = 4;
+constexpr int ExtraSweeps = 6;
+// While others still move, a top waits after one failure: most often its neighbours, once they have moved, make room.
+// Where four were allowed at once, single tops took twice as many moves on an aircraft, and none came farther.
+constexpr int FailuresPerSweep = 1;
+constexpr int FailuresPerExtraSweep = 4;
 // A top that failed in so many of the planned sweeps waits for the extra ones.
 constexpr int PatienceInSweeps = 6;
 // No step is tried that is shorter than this share of the first height.
@@ -33,7 +36,7 @@ constexpr double LeastLastSpacing = 0.8;
 // The last one is for layers and gaps much thinner than the surface's size, where all tetrahedra are needles: exact
 // positivity is enough.
 constexpr MoveEffort Efforts[4] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 }, { 1e-15, 60 } };
-constexpr int SweepsPerEffort = 4;
+constexpr int SweepsPerEffort = 2;
 
 class Raiser
 {
@@ -137,6 +140,7 @@ private:
   {
     const int extra = std::max(0, sweep - sweeps_);
     const int effort = (extra + SweepsPerEffort - 1) / SweepsPerEffort;
+    const int mostFailures = extra > 0 ? FailuresPerExtraSweep : FailuresPerSweep;
     std::size_t behind = 0;
     for (std::size_t i = 0; i < set_.columns.size(); ++i)
     {
@@ -147,7 +151,7 @@ private:
         continue;
       }
       const bool hopeless = refusals_[c] > PatienceInSweeps && sweep <= sweeps_;
-      if (!hopeless && !advance(c, target, Efforts[effort]))
+      if (!hopeless && !advance(c, target, Efforts[effort], mostFailures))
       {
         ++refusals_[c];
       }
@@ -158,19 +162,19 @@ private:
 
   // Moves the top to the target, or part of the way there. Steps shrink by halves where they fail and grow
   // again where they succeed; the next sweep begins with one that has a chance.
-  bool advance(Index c, double target, const MoveEffort& effort)
+  bool advance(Index c, double target, const MoveEffort& effort, int mostFailures)
   {
     const Column& column = set_.columns[c];
     const double shortest = ShortestOfFirstHeight * set_.heightsOf(column).height(1) / set_.thickness(column);
     bool moved = false;
     int failures = 0;
-    while (front_.share(c) < target && failures < FailuresPerSweep && nextStep_[c] >= shortest)
+    while (front_.share(c) < target && failures < mostFailures && nextStep_[c] >= shortest)
     {
       const double wanted = std::min(target, front_.share(c) + nextStep_[c]);
       const double share = wanted > Complete ? 1 : wanted;
       const MoveVerdict verdict = moves_.move(c, front_.position(c, share), effort);
       ++report_.verdicts[static_cast<std::size_t>(verdict)];
-      if (verdict == MoveVerdict::Moved || verdict == MoveVerdict::Restarred)
+      if (isDone(verdict))
       {
         front_.setShare(c, share);
         nextStep_[c] = std::min(1.0, 2 * nextStep_[c]);
@@ -214,10 +218,25 @@ private:
       column.limit(reached + 1, StopReason::Refused);
       return;
     }
-    if (!lowerTop(mesh_, set_, c, reached))
+    if (!lowerTop(mesh_, set_, c, reached) && !(ofCorner_[c] && moveOntoLevel(c, reached)))
     {
       column.limit(std::max(1, reached), StopReason::Refused);
     }
+  }
+
+  // Where lowering turns a tetrahedron over, another connectivity may do.
+  bool moveOntoLevel(Index c, int level)
+  {
+    Column& column = set_.columns[c];
+    for (; level > 0 && level >= column.lowest; --level)
+    {
+      if (isDone(moves_.move(c, set_.pointAt(column, level), Efforts[3])))
+      {
+        column.limit(level, StopReason::Refused);
+        return true;
+      }
+    }
+    return false;
   }
 
   TetMesh& mesh_;
