@@ -211,6 +211,11 @@ ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, cons
   vtkNew<vtkDirectionalEnrichment> enrichment;
   mesher->SetInputData(surface);
   mesher->SetFarField(options.farField);
+  if (options.symmetryPlace)
+  {
+    mesher->SetSymmetryPlane(vtkIsotropicTetMesher::ACROSS_Z);
+    mesher->SetSymmetryPosition(*options.symmetryPlace);
+  }
   mesher->SetSurfaceEdgeLength(options.surfaceSize);
   mesher->SetImproveSurfaceTriangles(options.swapAngle > 0);
   mesher->SetMaximumSurfaceAngle(options.swapAngle);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,7 @@ struct ChainOptions
   std::vector<PatchLayers> patchLayers;
   double surfaceSize = 0; // to which the surface is remeshed; 0: kept
   double swapAngle = 10;  // how far swaps of the surface's diagonals may turn it, degrees; 0: all are kept
+  std::optional<double> symmetryPlace; // the fluid ends in a plane of symmetry across z there
 };
 
 // The layers of a case on its body.

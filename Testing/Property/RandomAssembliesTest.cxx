@@ -1,0 +1,82 @@
+// Random bodies of the hard kinds through the chain: the mesh is always valid. For long runs:
+//   RANSMESHING_RANDOM_BODIES=5000 RANSMESHING_FIRST_SEED=1000
+//     RANSMeshingPropertyTests --gtest_filter=*RandomAssemblies*
+#include "Bodies/RandomAssemblies.h"
+#include "RandomRun.h"
+#include "Vtk/BodyPolyData.h"
+
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <iostream>
+#include <sstream>
+
+namespace
+{
+using namespace random_run;
+
+chain_run::ChainOptions optionsFor(const bodies::RandomAssembly& random)
+{
+  chain_run::ChainOptions options;
+  options.firstHeight = random.layers.firstHeight;
+  options.growth = random.layers.growth;
+  options.layers = random.layers.number;
+  options.walls = random.walls;
+  options.symmetryPlace = random.symmetryPlace;
+  for (const bodies::PatchLayers& p : random.patchLayers)
+  {
+    options.patchLayers.push_back({ p.patch, p.firstHeight * random.layers.firstHeight, p.growth, p.number });
+  }
+  return options;
+}
+
+std::string describe(const bodies::RandomAssembly& random)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "edges " << random.size << ", first height " << random.layers.firstHeight << ", growth "
+       << random.layers.growth << ", layers " << random.layers.number
+       << (random.body.farField ? ", far field" : "");
+  if (random.symmetryPlace)
+  {
+    text << ", symmetry at z = " << *random.symmetryPlace;
+  }
+  for (const bodies::PatchLayers& p : random.patchLayers)
+  {
+    text << "; " << p.patch << ": " << p.firstHeight << " times, growth " << p.growth << ", layers "
+         << p.number;
+  }
+  return text.str();
+}
+
+// Whether there is such a body.
+bool isMeshed(std::uint32_t seed, VolumeChanges& largest)
+{
+  const bodies::RandomAssembly random = bodies::randomAssembly(seed);
+  if (random.body.surface.triangles.empty())
+  {
+    return false;
+  }
+  const auto run = [&] { return chain_run::runChain(random.body, optionsFor(random)); };
+  if (const std::string fault = findFault(run, toPolyData(random.body), random.size, largest); !fault.empty())
+  {
+    ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << describe(random);
+  }
+  return true;
+}
+} // namespace
+
+TEST(Property, RandomAssembliesGiveValidMeshes)
+{
+  const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", 12);
+  const std::uint32_t first = numberFrom("RANSMESHING_FIRST_SEED", 1);
+  std::uint32_t meshed = 0;
+  VolumeChanges largest;
+  for (std::uint32_t seed = first; seed < first + count; ++seed)
+  {
+    meshed += isMeshed(seed, largest) ? 1 : 0;
+  }
+  std::cout << meshed << " of " << count << " bodies were meshed; " << largest.text() << "\n";
+  EXPECT_GE(meshed, count / 2);
+}

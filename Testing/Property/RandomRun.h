@@ -1,0 +1,32 @@
+// What tests of random bodies have in common.
+#pragma once
+
+#include "Vtk/ChainRun.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+class vtkPolyData;
+
+namespace random_run
+{
+// The number that the environment variable holds.
+std::uint32_t numberFrom(const char* variable, std::uint32_t usual);
+
+// The largest of all bodies.
+struct VolumeChanges
+{
+  double byRemoval = 0;
+  double byEnrichment = 0;
+  // How far the surface came away from where it was, in edges, on the average.
+  double driftByRemoval = 0;
+  double driftByEnrichment = 0;
+
+  std::string text() const;
+};
+
+// What is wrong with the mesh that the chain makes of the surface, whose triangles have this edge, or nothing.
+std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkPolyData* surface, double edge,
+  VolumeChanges& largest);
+} // namespace random_run
