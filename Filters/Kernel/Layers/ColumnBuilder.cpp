@@ -14,6 +14,8 @@ namespace
 {
 // A patch is a side where it rises from the wall at 30 to 150 degrees, and a little more for what is to be just that.
 constexpr double SideRise = 0.48;
+// In a corner of a side narrower than this (radians) the middle of its faces lies along the wall, however steep it is.
+constexpr double NarrowCorner = 60 / DegreesOfRadian;
 // Normals of a side's faces that differ by more than this make it curved.
 constexpr double PlaneCosine = 0.99985; // 1 degree
 // Below this cosine between direction and a face's normal the layers would lie flat on the face.
@@ -67,6 +69,21 @@ Vector3 middleOf(const FaceAtVertex& face, const TetMesh& mesh)
     normalized(mesh.point(face.vertex[1]) - at) + normalized(mesh.point(face.vertex[2]) - at));
 }
 
+double riseOf(const std::vector<FaceAtVertex>& group, const TetMesh& mesh, const Vector3& wallNormal)
+{
+  Vector3 middle;
+  double angle = 0;
+  for (const FaceAtVertex& face : group)
+  {
+    middle += face.angle * middleOf(face, mesh);
+    angle += face.angle;
+  }
+  const Vector3 normal = weightedNormal(group);
+  const Vector3 steepest = wallNormal - dot(wallNormal, normal) * normal;
+  const bool isNarrow = angle < NarrowCorner && dot(middle, steepest) > 0;
+  return isNarrow ? norm(steepest) : dot(normalized(middle), wallNormal);
+}
+
 std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> others, const Vector3& wallNormal)
 {
   std::stable_sort(others.begin(), others.end(),
@@ -78,12 +95,7 @@ std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> othe
       std::find_if(begin, others.end(), [&begin](const FaceAtVertex& f) { return f.patch != begin->patch; });
     for (const auto& group : smoothGroups({ begin, end }))
     {
-      Vector3 middle;
-      for (const FaceAtVertex& face : group)
-      {
-        middle += face.angle * middleOf(face, mesh);
-      }
-      sides.push_back({ begin->patch, weightedNormal(group), dot(normalized(middle), wallNormal) });
+      sides.push_back({ begin->patch, weightedNormal(group), riseOf(group, mesh, wallNormal) });
     }
     begin = end;
   }
