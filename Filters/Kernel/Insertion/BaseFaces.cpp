@@ -17,11 +17,14 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 
 namespace
 {
-void sortRise(BaseFace& face)
+void sortRise(const ColumnSet& set, BaseFace& face)
 {
-  const auto order = [&face](int& j, int& k)
+  const auto isLater = [&](int j)
+  { return face.column[j] == None || set.columns[face.column[j]].bend == None; };
+  const auto order = [&](int& j, int& k)
   {
-    if (std::tie(face.root[k], face.column[k]) < std::tie(face.root[j], face.column[j]))
+    if (std::tuple(isLater(k), face.root[k], face.column[k]) <
+      std::tuple(isLater(j), face.root[j], face.column[j]))
     {
       std::swap(j, k);
     }
@@ -57,7 +60,7 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     }
     if (carries)
     {
-      sortRise(face);
+      sortRise(set, face);
       faces.push_back(face);
     }
   }

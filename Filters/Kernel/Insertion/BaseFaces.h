@@ -47,8 +47,9 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 
 // All faces that carry layers, those with a standing column for which their patch is not a side, by number.
 // Within a level columns rise in order of their roots' numbers, then of their own, in every face alike: that makes
-// neighbouring stacks match. That those of one root rise one after the other keeps the bottoms of fans from having
-// flat tetrahedra.
+// neighbouring stacks match. Those of corners between walls of different heights rise first: they lean over the lower
+// wall, and would pass below its higher columns if these were there before them. That those of one root rise one after
+// the other keeps the bottoms of fans from having flat tetrahedra.
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set);
 
 // faces: all of them, as collectBaseFaces gives them. Gives every edge of a base face that has no base face beyond it

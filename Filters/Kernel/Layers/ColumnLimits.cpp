@@ -101,6 +101,10 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
     for (const Index face : stars.facesAt(c.root))
     {
       const int patch = mesh.boundaryFace(face).patch;
+      if (c.staysIn(patch)) // beside the layers, not below them
+      {
+        continue;
+      }
       for (const Index v : mesh.boundaryVertices(face))
       {
         const Index j = set.standingAt(v);

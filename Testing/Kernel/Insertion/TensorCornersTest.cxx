@@ -144,6 +144,7 @@ TEST(TensorCorners, WhereAWallChangesItsLayersThereIsNoGrid)
   plan[7].growthRate = 1.1;
   const auto enriched = enrichAndCheck(make({ 4, 4, 4 }, split), patches(PatchType::Symmetry, 7), plan);
   EXPECT_EQ(enriched.report.grids.planned, 4u); // of five ridge points
+  EXPECT_EQ(enriched.report.grids.made, 4u);
 }
 
 TEST(TensorCorners, WallsKeepTheirOwnHeights)
@@ -166,6 +167,22 @@ TEST(TensorCorners, WallsKeepTheirOwnHeights)
   {
     EXPECT_EQ(point.layersAchieved, point.layersAsked);
     EXPECT_NEAR(point.firstHeightAchieved, point.firstHeightAsked, 1e-12);
+  }
+}
+
+TEST(TensorCorners, AHighWallsLayersLeanOverAFloorOfHigherColumns)
+{
+  // The corner's last level lies 0.067 from the wall and 0.02 above the floor, whose own columns are 0.05 high.
+  for (const int wall : { XLow, XHigh })
+  {
+    LayerPlan plan = planFor(7, { wall, ZLow }, 1.06e-4, 25);
+    plan[wall].growthRate = 1.3;
+    plan[wall].numberOfLayers = 20;
+    const auto enriched = enrichAndCheck(make({ 7, 4, 7 }), patches(PatchType::Symmetry), plan);
+    EXPECT_EQ(
+      enriched.report.columnsByReason[static_cast<int>(StopReason::Complete)], enriched.report.columns);
+    EXPECT_EQ(enriched.report.grids.made, 5U);
+    EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
   }
 }
 

@@ -161,3 +161,49 @@ TEST(ColumnLimits, ATallWallStepsDownToItsEnd)
 {
   SplitFloor(0).expectRamp(0.7 * 0.05);
 }
+
+TEST(ColumnLimits, ACornerIsLimitedByTheIsotropicSizeOfBothWalls)
+{
+  TetMesh mesh;
+  ASSERT_TRUE(buildTetMesh(make({ 6, 6, 6 }), mesh).ok());
+  for (const int coarse : { XLow, ZLow })
+  {
+    LayerPlan plan(7);
+    for (const int wall : { XLow, ZLow })
+    {
+      plan[wall].firstHeight = wall == coarse ? 0.002 : 0.001;
+      plan[wall].growthRate = wall == coarse ? 1.8 : 1.05;
+      plan[wall].numberOfLayers = 20;
+    }
+    ColumnSet set = buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry), plan);
+    ASSERT_EQ(set.corners.size(), 7U);
+    limitByIsotropicSize(plan, set);
+    for (const TensorCorner& corner : set.corners)
+    {
+      const Column& c = set.columns[corner.column];
+      EXPECT_EQ(c.levels, levelsOfIsotropicSize(set.heights[coarse], plan[coarse].isotropicFraction, c.size));
+      EXPECT_EQ(c.reason, StopReason::IsotropicSize);
+    }
+  }
+}
+
+TEST(ColumnLimits, AHighWallIsNotLoweredByACornerThatIsAsHighOverIt)
+{
+  TetMesh mesh;
+  ASSERT_TRUE(buildTetMesh(make({ 12, 4, 12 }), mesh).ok());
+  LayerPlan plan(7);
+  plan[XLow].firstHeight = 0.03;
+  plan[ZLow].firstHeight = 0.003;
+  for (const int wall : { XLow, ZLow })
+  {
+    plan[wall].growthRate = 1;
+    plan[wall].numberOfLayers = 10;
+  }
+  ColumnSet set = buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry), plan);
+  ASSERT_EQ(set.bends.size(), 5U);
+  limitBySlope(mesh, BoundaryStars(mesh), set);
+  for (const Column& c : set.columns)
+  {
+    EXPECT_EQ(c.levels, 10) << c.base.x << ' ' << c.base.z;
+  }
+}
