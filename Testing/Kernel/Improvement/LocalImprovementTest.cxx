@@ -66,3 +66,26 @@ TEST_F(LocalImprovements, SwapsAreNotTriedWhereNothingHasChanged)
   EXPECT_GT(swapped, 0U);
   invariants::expectValid(mesh_);
 }
+
+TEST_F(LocalImprovements, ShapesAreThoseOfTheTetrahedraThatAreThere)
+{
+  constexpr double any = 10; // above all shapes
+  const auto expectTrueShapes = [&](LocalImprovement& used)
+  {
+    LocalImprovement fresh(mesh_, rules_);
+    for (Index t = 0; t < static_cast<Index>(mesh_.tetSlots()); ++t)
+    {
+      EXPECT_TRUE(!mesh_.tet(t).isAlive() || used.shapeOf(t, any) == fresh.shapeOf(t, any)) << t;
+    }
+  };
+  expectTrueShapes(improvement_); // known from now on
+  std::size_t swapped = 0;
+  for (Index t = 0; t < static_cast<Index>(mesh_.tetSlots()); ++t)
+  {
+    swapped += mesh_.tet(t).isAlive() && improvement_.swap(t);
+  }
+  EXPECT_GT(swapped, 0U);
+  expectTrueShapes(improvement_);
+  EXPECT_TRUE(improvement_.moveTowards(inner(), mesh_.point(inner()) + Vector3{ 0.02, 0.01, 0 }, 0));
+  expectTrueShapes(improvement_);
+}

@@ -200,6 +200,45 @@ TEST(Enrichment, ColumnsShareAGap)
   }
 }
 
+TEST(Enrichment, StepsAreSmoothedBesideColumnsThatDisagree)
+{
+  // A side that becomes flat: from some point on columns stand on it, and where both kinds meet they are lost.
+  const auto flattening = [](const Vector3& p) {
+    return Vector3{ p.x - (1 - p.x) * p.z * 4 * p.y, p.y, p.z };
+  };
+  const MeshData mesh = make({ 8, 8, 8, flattening });
+  LayerPlan plan = planFor(7, { ZLow }, 0.02, 8);
+  plan[ZLow].growthRate = 1;
+  const auto enriched = enrichAndCheck(mesh, plateTable(), plan, 1e-3); // the side is curved
+  std::map<Index, int> levels;
+  for (const WallPoint& point : enriched.wallPoints)
+  {
+    levels[enriched.origin[point.point]] = point.layersAchieved;
+  }
+  std::size_t lost = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (int j = 0; mesh.trianglePatch[t] == ZLow && j < 3; ++j)
+    {
+      const Index a = mesh.triangles[t][j];
+      const Index b = mesh.triangles[t][(j + 1) % 3];
+      if (levels.at(a) == 0 && mesh.points[a].y > 0.4) // elsewhere the bent side leaves no room
+      {
+        ++lost;
+        EXPECT_LE(0.02 * levels.at(b), 0.7 * distance(mesh.points[a], mesh.points[b]) + 1e-12);
+      }
+    }
+  }
+  EXPECT_GT(lost, 0U);
+}
+
+TEST(Enrichment, WhatIsPoorBeyondTheFrontIsSwappedAway)
+{
+  const auto enriched =
+    enrichAndCheck(make({ 8, 8, 8, turned, 0.25 }), plateTable(), planFor(7, { ZLow, XLow }, 5e-4, 22));
+  EXPECT_GT(enriched.report.improvements, 0U);
+}
+
 TEST(Enrichment, IsTheSameTwice)
 {
   const MeshData mesh = make({ 8, 8, 8, turned, 0.25 });

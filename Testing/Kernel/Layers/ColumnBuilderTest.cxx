@@ -171,3 +171,77 @@ TEST(ColumnBuilder, WhereColumnsOfAFaceDisagreeThoseThatStandOnItAreLost)
   EXPECT_EQ(columns.at({ 0.5, 0.5, 0 })->levels, 5);
   EXPECT_FALSE(settleDisagreements(columns.mesh, columns.set));
 }
+
+TEST(ColumnBuilder, OfAFaceWithMoreColumnsThatStandOnItTheOneInItIsLost)
+{
+  Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow });
+  for (Column& c : columns.set.columns)
+  {
+    if (distance(c.base, { 0.5, 0.5, 0 }) < 1e-12)
+    {
+      c.sides = { ZLow, 0 };
+    }
+  }
+  EXPECT_TRUE(settleDisagreements(columns.mesh, columns.set));
+  for (const Column& c : columns.set.columns)
+  {
+    EXPECT_EQ(c.levels, distance(c.base, { 0.5, 0.5, 0 }) < 1e-12 ? 0 : 5);
+  }
+}
+
+TEST(ColumnBuilder, NoColumnStaysInThreeSides)
+{
+  const auto split = [](Side side, const Vector3& middle)
+  { return side == XLow && middle.z > middle.y ? 7 : static_cast<int>(side); };
+  const Columns columns(make({ 4, 4, 4 }, split), patches(PatchType::Symmetry, 7), { ZLow });
+  const Column* corner = columns.at({ 0, 0, 0 });
+  ASSERT_TRUE(corner);
+  EXPECT_EQ(corner->levels, 0);
+  EXPECT_EQ(corner->reason, StopReason::Corner);
+}
+
+TEST(ColumnBuilder, InANarrowCornerOfASideTheColumnStaysInIt)
+{
+  const double slope = std::tan(15 * M_PI / 180);
+  const auto skew = [slope](const Vector3& p) { return Vector3{ p.x + p.z / slope, p.y, p.z }; };
+  const Columns columns(make({ 4, 4, 4, skew }), patches(PatchType::Symmetry), { ZLow });
+  for (const double y : { 0.0, 1.0 })
+  {
+    const Column* column = columns.at({ 0, y, 0 });
+    ASSERT_TRUE(column);
+    EXPECT_EQ(column->levels, 5);
+    EXPECT_TRUE(column->staysIn(y == 0 ? YLow : YHigh));
+    EXPECT_FALSE(column->staysIn(XLow));
+    EXPECT_EQ(column->direction.y, 0);
+  }
+}
+
+TEST(ColumnBuilder, AGridAtAWakeIsMadeOnlyWhereItIsAllowed)
+{
+  TetMesh mesh;
+  ASSERT_TRUE(buildTetMesh(make({ 4, 4, 4 }), mesh).ok());
+  PatchTable table = patches(PatchType::Symmetry);
+  LayerPlan plan(7);
+  for (const int wall : { XLow, ZLow })
+  {
+    plan[wall].firstHeight = 1e-3;
+    plan[wall].numberOfLayers = 5;
+  }
+  EXPECT_EQ(buildColumns(mesh, BoundaryStars(mesh), table, plan, false).corners.size(), 5U);
+  table[XLow].type = PatchType::Wake;
+  EXPECT_EQ(buildColumns(mesh, BoundaryStars(mesh), table, plan, false).corners.size(), 0U);
+  EXPECT_EQ(buildColumns(mesh, BoundaryStars(mesh), table, plan, true).corners.size(), 5U);
+}
+
+TEST(ColumnBuilder, WhereAWallBendsAlongTheRidgeThereIsNoGrid)
+{
+  const auto bent = [](const Vector3& p) {
+    return Vector3{ p.x, p.y, p.z - 0.25 * (1 - p.z) * std::fabs(p.y - 0.5) };
+  }; // by 28 degrees
+  const Columns columns(make({ 4, 4, 4, bent }), patches(PatchType::Symmetry), { XLow, ZLow });
+  EXPECT_EQ(columns.set.corners.size(), 4U); // of five points
+  for (const TensorCorner& corner : columns.set.corners)
+  {
+    EXPECT_GT(std::fabs(columns.set.columns[corner.column].base.y - 0.5), 0.1);
+  }
+}

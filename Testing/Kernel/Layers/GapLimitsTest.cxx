@@ -132,3 +132,36 @@ TEST(GapLimits, EveryWallFaceLooksForItself)
   EXPECT_LE(edge.levels, 6);
   EXPECT_EQ(edge.reason, StopReason::Gap);
 }
+
+TEST(GapLimits, AColumnThatLeansUnderALowerLidSeesIt)
+{
+  // The side leans outward, and the lid is low only over that.
+  const auto map = [](const Vector3& p)
+  {
+    const double z = (p.x < 0.1 ? 0.3 : 0.9) * p.z;
+    return Vector3{ p.x < 0.1 ? p.x - z : p.x, p.y, z };
+  };
+  Ground ground({ 6, 6, 4, map });
+  const Column& edge = ground.at(0, 0.5);
+  ASSERT_NEAR(norm(edge.direction), std::sqrt(2), 1e-9);
+  limitByGap(ground.mesh, BoundaryStars(ground.mesh), 0.3, ground.set); // the side's triangles are not asked
+  EXPECT_GE(edge.levels, 8);
+  EXPECT_LE(edge.levels, 9);
+  EXPECT_EQ(edge.reason, StopReason::Gap);
+}
+
+TEST(GapLimits, EachColumnOfAFanLooksForItself)
+{
+  // Over the ridge of a roof the lid comes down to a point; only the fan's middle column points there.
+  const auto roof = [](const Vector3& p)
+  {
+    const double away = std::fabs(p.x - 0.5);
+    return Vector3{ p.x, p.y, -1.2 * away + p.z * (0.1 + 4.2 * away) };
+  };
+  Ground ground({ 6, 6, 1, roof });
+  ASSERT_EQ(ground.set.fans.size(), 7U);
+  ground.limit(0.3);
+  EXPECT_GE(ground.at(0.5, 0.5).levels, 2); // 0.3 of 0.1
+  EXPECT_LE(ground.at(0.5, 0.5).levels, 3);
+  EXPECT_EQ(ground.at(0.5, 0.5).reason, StopReason::Gap);
+}

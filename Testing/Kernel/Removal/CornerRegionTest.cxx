@@ -123,4 +123,23 @@ TEST(CornerRegion, LeavesInterfacesAlone)
     EXPECT_GT(found.mesh.point(v).y, 0);
   }
 }
+
+TEST(CornerRegion, LeavesConvexEdgesAlone)
+{
+  grid_mesh::Grid grid{ Count, Count, Count };
+  MeshData data = grid_mesh::make(grid);
+  const int step = grid_mesh::carve(data, [](const Vector3& p) { return p.x < 0.5 && p.z < 0.5; });
+  const TetMesh mesh = invariants::build(data);
+  const PatchTable patches = grid_mesh::patches(PatchType::Symmetry, step);
+  LayerPlan plan = planWith(2 * Size, { ZLow });
+  plan.resize(step + 1, plan[ZLow]);
+  plan[ZLow] = {};
+  EXPECT_TRUE(
+    findCornerPoints(mesh, classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
+      .empty());
+  plan[ZLow] = plan[step];
+  EXPECT_FALSE(
+    findCornerPoints(mesh, classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
+      .empty());
+}
 } // namespace

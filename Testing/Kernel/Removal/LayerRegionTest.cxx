@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -107,5 +108,37 @@ TEST(LayerRegion, ThicknessIsLimitedByTheLocalSize)
   EXPECT_DOUBLE_EQ(limitedThickness(heights, 0.5, 2), 1);
   EXPECT_DOUBLE_EQ(limitedThickness(heights, 0.5, 9), 7);
   EXPECT_DOUBLE_EQ(limitedThickness(heights, 0.5, 1000), 31);
+}
+
+TEST(LayerRegion, IsEmptyWhereNotOneLayerFits)
+{
+  const Case box({ 8, 8, 8 });
+  LayerPlan plan = planWith(0.4, { ZLow });
+  plan[ZLow].isotropicFraction = 0.1;
+  EXPECT_TRUE(box.region(plan, 1.2).marked.empty());
+}
+
+TEST(LayerRegion, PointsBeyondACeilingAreBeyondReach)
+{
+  const auto bumps = [](const Vector3& p) {
+    return Vector3{ p.x, p.y, p.z + 0.15 * (1 - p.z) * std::sin(7 * p.x) * std::cos(5 * p.y) };
+  };
+  const Case box({ 8, 8, 8, bumps, 0.2 });
+  const WallReach walls(box.mesh, planWith(0.3, { ZLow }), 0.1);
+  const auto count = static_cast<Index>(box.mesh.vertexCount());
+  std::size_t below = 0;
+  for (Index w = 0; w < count; ++w)
+  {
+    for (Index v = 0; walls.isWall(w) && v < count; ++v)
+    {
+      const auto around = walls.at(w);
+      const bool reached = std::any_of(
+        around.begin(), around.end(), [&](Index t) { return walls.reaches(box.mesh.point(v), t); });
+      const bool isBeyond = walls.ceilingOver(w).isBelow(box.mesh.point(v));
+      EXPECT_FALSE(reached && isBeyond);
+      below += !isBeyond;
+    }
+  }
+  EXPECT_GT(below, 0U);
 }
 } // namespace
