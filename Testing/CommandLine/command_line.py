@@ -32,7 +32,7 @@ class CommandLineTest(unittest.TestCase):
         return self.path(name)
 
     def run_it(self, *arguments):
-        return subprocess.run([RANSMESH, *arguments], capture_output=True, text=True, timeout=300)
+        return subprocess.run([RANSMESH, *arguments], capture_output=True, text=True, timeout=900)
 
     def succeeds(self, *arguments):
         done = self.run_it(*arguments, "-o", self.mesh)

@@ -44,7 +44,7 @@ class BrokenOutputs(CommandLineTest):
     def refused(self, name, message, **how):
         before = self.listing()
         command = [RANSMESH, self.start + ".vtu", *LAYERS, "-o", self.path(name)]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300, **how)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=900, **how)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn(message, done.stderr)
         self.assertIn(self.path(name.replace(".b8.ugrid", ".")), done.stderr)
