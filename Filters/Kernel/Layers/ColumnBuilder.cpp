@@ -365,42 +365,26 @@ ColumnSet buildColumns(const TetMesh& mesh, const BoundaryStars& stars, const Pa
 bool settleDisagreements(const TetMesh& mesh, ColumnSet& set)
 {
   bool dropped = false;
-  for (bool changed = true; changed;)
+  for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
-    changed = false;
-    for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
+    const auto b = static_cast<Index>(i);
+    if (!mesh.boundaryFace(b).isAlive())
     {
-      const auto b = static_cast<Index>(i);
-      if (!mesh.boundaryFace(b).isAlive())
-      {
-        continue;
-      }
-      const int patch = mesh.boundaryFace(b).patch;
-      int carry = 0;
-      int slide = 0;
-      const auto vertices = mesh.boundaryVertices(b);
-      for (const Index v : vertices)
-      {
-        const Index c = set.standingAt(v);
-        slide += c != None && set.columns[c].staysIn(patch);
-        carry += c != None && !set.columns[c].staysIn(patch);
-      }
-      if (carry == 0 || slide == 0)
-      {
-        continue;
-      }
-      const bool dropSliding = slide < carry;
-      for (const Index v : vertices)
-      {
-        const Index c = set.standingAt(v);
-        if (c != None && set.columns[c].staysIn(patch) == dropSliding)
-        {
-          set.columns[c].limit(0, StopReason::Corner);
-        }
-      }
-      changed = true;
+      continue;
     }
-    dropped = dropped || changed;
+    const int patch = mesh.boundaryFace(b).patch;
+    const auto vertices = mesh.boundaryVertices(b);
+    const auto isSideAt = [&](Index v)
+    { return set.standingAt(v) != None && set.columns[set.standingAt(v)].staysIn(patch); };
+    const bool isSide = std::any_of(vertices.begin(), vertices.end(), isSideAt);
+    for (const Index v : vertices)
+    {
+      if (isSide && set.standingAt(v) != None && !isSideAt(v))
+      {
+        set.columns[set.standingAt(v)].limit(0, StopReason::Corner);
+        dropped = true;
+      }
+    }
   }
   return dropped;
 }

@@ -16,7 +16,7 @@ ColumnSet buildColumns(const TetMesh& mesh, const BoundaryStars& stars, const Pa
   const LayerPlan& plan, bool gridsOnWakes = true);
 
 // A face that has a standing column for which its patch is not a side carries layers. Where its columns disagree,
-// those that are fewer are dropped (StopReason::Corner), else those that stand on it, so that every face is the one
-// or the other. Gives whether any was dropped.
+// those that stand on it are dropped (StopReason::Corner), so that every face is the one or the other. Gives whether
+// any was dropped.
 bool settleDisagreements(const TetMesh& mesh, ColumnSet& set);
 } // namespace ransmesh

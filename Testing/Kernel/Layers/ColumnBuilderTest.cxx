@@ -172,7 +172,7 @@ TEST(ColumnBuilder, WhereColumnsOfAFaceDisagreeThoseThatStandOnItAreLost)
   EXPECT_FALSE(settleDisagreements(columns.mesh, columns.set));
 }
 
-TEST(ColumnBuilder, OfAFaceWithMoreColumnsThatStandOnItTheOneInItIsLost)
+TEST(ColumnBuilder, ManyThatStandOnAFaceAreLostToOneThatStaysInIt)
 {
   Columns columns(make({ 4, 4, 4 }), patches(PatchType::Symmetry), { ZLow });
   for (Column& c : columns.set.columns)
@@ -183,10 +183,10 @@ TEST(ColumnBuilder, OfAFaceWithMoreColumnsThatStandOnItTheOneInItIsLost)
     }
   }
   EXPECT_TRUE(settleDisagreements(columns.mesh, columns.set));
-  for (const Column& c : columns.set.columns)
-  {
-    EXPECT_EQ(c.levels, distance(c.base, { 0.5, 0.5, 0 }) < 1e-12 ? 0 : 5);
-  }
+  EXPECT_EQ(columns.at({ 0.5, 0.5, 0 })->levels, 5);
+  EXPECT_EQ(columns.at({ 0.5, 0.25, 0 })->levels, 0);
+  EXPECT_EQ(columns.at({ 0, 0, 0 })->levels, 5);
+  EXPECT_FALSE(settleDisagreements(columns.mesh, columns.set));
 }
 
 TEST(ColumnBuilder, NoColumnStaysInThreeSides)
