@@ -18,6 +18,24 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+namespace
+{
+// As "isotropic size reached 120, gap 2".
+std::string reasonsOf(const ransmesh::EnrichmentReport& report)
+{
+  std::string text;
+  for (std::size_t i = 0; i < report.columnsByReason.size(); ++i)
+  {
+    if (report.columnsByReason[i] > 0)
+    {
+      text += (text.empty() ? "" : ", ") + std::string(ransmesh::StopReasonTexts[i]) + " " +
+        std::to_string(report.columnsByReason[i]);
+    }
+  }
+  return text;
+}
+} // namespace
+
 vtkStandardNewMacro(vtkDirectionalEnrichment);
 
 vtkDirectionalEnrichment::vtkDirectionalEnrichment()
@@ -87,6 +105,10 @@ int vtkDirectionalEnrichment::RequestData(
   ransmesh::writePlan(plan, output->GetFieldData());
   this->NumberOfRequestedPoints = static_cast<vtkIdType>(enriched.report.pointsRequested);
   this->NumberOfInsertedPoints = static_cast<vtkIdType>(enriched.report.pointsInserted);
+  if (this->NumberOfInsertedPoints == 0)
+  {
+    vtkWarningMacro(<< "no layers were made; wall points by StopReason: " << reasonsOf(enriched.report));
+  }
   return 1;
 }
 

@@ -4,6 +4,7 @@
 #include "Layers/LayerPlanning.h"
 #include "MeshConversion.h"
 #include "RegionArrays.h"
+#include "Support/Numbers.h"
 #include "WallSelection.h"
 
 #include "vtkDataArraySelection.h"
@@ -13,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 struct vtkRANSLayerAlgorithm::Internals
 {
@@ -250,6 +252,11 @@ ransmesh::Outcome vtkRANSLayerAlgorithm::PlanLayers(const ransmesh::MeshData& me
   if (auto outcome = this->CheckFlow(); !outcome.ok())
   {
     return outcome;
+  }
+  if (!(this->TotalThickness >= 0) || !std::isfinite(this->TotalThickness))
+  {
+    return ransmesh::Outcome::badInput("the total thickness is " + ransmesh::textOf(this->TotalThickness) +
+      "; it must be positive, or 0 where NumberOfLayers counts: set TotalThickness");
   }
   const ransmesh::LayerPlan before =
     this->UsesRecordedPlan() ? ransmesh::readPlan(recorded) : ransmesh::LayerPlan();

@@ -1,7 +1,9 @@
 #include "MeshConversion.h"
 
+#include "ArrayLengths.h"
 #include "LargeArray.h"
 #include "PatchFieldData.h"
+#include "PatchNumbering.h"
 
 #include "Mesh/FaceMatching.h"
 #include "Mesh/Tidying.h"
@@ -62,7 +64,7 @@ Outcome checkGrid(vtkUnstructuredGrid* grid)
     return Outcome::badInput("the mesh has no boundary triangles with a cell array PatchId (0 on tetrahedra, "
                              "1 and more on triangles)");
   }
-  return Outcome::done();
+  return checkArrayLengths(grid);
 }
 
 template <class Cell>
@@ -100,10 +102,10 @@ Outcome readCells(vtkUnstructuredGrid* grid, MeshData& mesh)
       continue;
     }
     const double patch = patchIds->GetTuple1(c);
-    if (!(patch >= 1 && patch <= std::numeric_limits<int>::max() / 2) || patch != static_cast<int>(patch))
+    if (!(patch >= 1 && patch <= PatchNumbering::LargestKept) || patch != static_cast<int>(patch))
     {
       return Outcome::badInput("triangle " + std::to_string(c) + " has PatchId " + std::to_string(patch) +
-        "; boundary triangles need a whole number of 1 or more");
+        "; boundary triangles need a whole number from 1 to " + std::to_string(PatchNumbering::LargestKept));
     }
     mesh.triangles.push_back({ at(0), at(1), at(2) });
     mesh.trianglePatch.push_back(static_cast<int>(patch));
@@ -233,6 +235,13 @@ double valueOr(vtkDataArray* array, vtkIdType row, double otherwise)
 {
   return array && row < array->GetNumberOfTuples() ? array->GetTuple1(row) : otherwise;
 }
+
+// What is no count becomes one that is too large.
+int countIn(vtkDataArray* array, vtkIdType row)
+{
+  const double value = array->GetTuple1(row);
+  return value >= 0 && value <= MaximumNumberOfLayers ? static_cast<int>(value) : MaximumNumberOfLayers + 1;
+}
 } // namespace
 
 LayerPlan readPlan(vtkFieldData* fieldData)
@@ -254,8 +263,8 @@ LayerPlan readPlan(vtkFieldData* fieldData)
     LayerSpecification s;
     s.firstHeight = first->GetTuple1(i);
     s.growthRate = growth->GetTuple1(i);
-    s.numberOfLayers = static_cast<int>(number->GetTuple1(i));
-    s.constantLayers = static_cast<int>(constant->GetTuple1(i));
+    s.numberOfLayers = countIn(number, i);
+    s.constantLayers = countIn(constant, i);
     s.isotropicFraction = fraction->GetTuple1(i);
     s.normalAngle = valueOr(fieldData->GetArray(contract::LayersNormalAngle), i, s.normalAngle);
     s.fanAngle = valueOr(fieldData->GetArray(contract::LayersFanAngle), i, s.fanAngle);

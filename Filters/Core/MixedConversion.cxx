@@ -1,6 +1,8 @@
 #include "MixedConversion.h"
 
+#include "ArrayLengths.h"
 #include "PatchFieldData.h"
+#include "PatchNumbering.h"
 
 #include "Support/DataContract.h"
 
@@ -75,8 +77,7 @@ std::array<Index, Size> cornersOf(const vtkIdType* v)
 int patchOf(vtkDataArray* patchIds, vtkIdType cell)
 {
   const double patch = patchIds->GetTuple1(cell);
-  const bool isWhole =
-    patch >= 1 && patch <= std::numeric_limits<int>::max() / 2 && patch == std::floor(patch);
+  const bool isWhole = patch >= 1 && patch <= PatchNumbering::LargestKept && patch == std::floor(patch);
   return isWhole ? static_cast<int>(patch) : 0;
 }
 
@@ -141,7 +142,8 @@ private:
     if (patch == 0)
     {
       return Outcome::badInput("cell " + std::to_string(c) + " of the boundary has PatchId " +
-        std::to_string(patchIds_->GetTuple1(c)) + "; it needs a whole number of 1 or more");
+        std::to_string(patchIds_->GetTuple1(c)) + "; it needs a whole number from 1 to " +
+        std::to_string(PatchNumbering::LargestKept));
     }
     mesh_.boundaryPatch.push_back(patch);
     return add(polygon, c, mesh_.boundary, boundaryIds_);
@@ -175,6 +177,10 @@ Outcome readMixedMesh(vtkUnstructuredGrid* grid, MixedMesh& mesh, PatchTable& pa
   {
     return Outcome::badInput("the mesh has no cell array PatchId (0 on cells of the fluid, 1 and more on its "
                              "boundary)");
+  }
+  if (Outcome outcome = checkArrayLengths(grid); !outcome.ok())
+  {
+    return outcome;
   }
   if (grid->GetNumberOfPoints() > std::numeric_limits<Index>::max() / 8)
   {

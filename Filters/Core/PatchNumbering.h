@@ -25,6 +25,9 @@ RANSMESHINGCORE_EXPORT std::optional<std::vector<int>> foreignNumbersIn(vtkDataS
 class RANSMESHINGCORE_EXPORT PatchNumbering
 {
 public:
+  // No patch has a larger number: the table has a row for each.
+  static constexpr int LargestKept = 100000;
+
   explicit PatchNumbering(PatchTable& patches);
 
   // The patch of that name; wanted > 0 is its number if that is free, else it gets the next one.
@@ -34,7 +37,6 @@ public:
   void nameGaps();
 
 private:
-  static constexpr int LargestKept = 100000; // the table has a row for each number
   PatchTable& patches_;
   std::map<std::string, int> numberOf_;
 };

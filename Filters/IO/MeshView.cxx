@@ -1,5 +1,6 @@
 #include "MeshView.h"
 
+#include "ArrayLengths.h"
 #include "PatchFieldData.h"
 #include "RegionArrays.h"
 
@@ -254,6 +255,10 @@ Outcome MeshView::countCells()
 
 Outcome MeshView::readPatches(vtkUnstructuredGrid* grid)
 {
+  if (Outcome outcome = checkArrayLengths(grid); !outcome.ok())
+  {
+    return outcome;
+  }
   const CellNumbers numbers(grid, contract::PatchId);
   if (faceIds_.empty() || !numbers.present())
   {

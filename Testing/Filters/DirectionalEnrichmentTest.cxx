@@ -23,6 +23,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <string>
+
 namespace
 {
 namespace contract = ransmesh::contract;
@@ -296,4 +300,91 @@ TEST_F(DirectionalEnrichment, RefusesCoordinatesThatAreNotFinite)
   this->Plate->GetPoints()->SetPoint(70, std::nan(""), 0, 0);
   this->Plate->Modified();
   this->ExpectRefusal("not finite");
+}
+
+// Scripts make arrays of any length.
+TEST_F(DirectionalEnrichment, RefusesArraysThatAreTooShort)
+{
+  vtkNew<vtkDoubleArray> height;
+  height->SetName("Height");
+  height->InsertNextValue(1);
+  this->Plate->GetPointData()->AddArray(height);
+  this->ExpectRefusal("the point array Height has 1 values for 150 points");
+  this->Plate->GetPointData()->RemoveArray("Height");
+  vtkNew<vtkIntArray> patch;
+  patch->SetName(contract::PatchId);
+  this->Plate->GetCellData()->AddArray(patch);
+  this->ExpectRefusal("the cell array PatchId has 0 values for ");
+}
+
+TEST_F(DirectionalEnrichment, RefusesATotalThicknessThatIsNone)
+{
+  for (const double bad : { -1.0, std::numeric_limits<double>::infinity(), std::nan("") })
+  {
+    this->Filter->SetTotalThickness(bad);
+    this->ExpectRefusal("set TotalThickness");
+  }
+}
+
+TEST_F(DirectionalEnrichment, RefusesARecordThatIsNoNumberOfLayers)
+{
+  vtkNew<vtkRANSPointRemoval> removal;
+  removal->SetInputData(this->Plate);
+  removal->SetFirstHeight(1e-4);
+  removal->Update();
+  for (const double bad : { -3.0, 1e30, std::nan("") })
+  {
+    vtkNew<vtkUnstructuredGrid> cleared;
+    cleared->ShallowCopy(removal->GetOutput());
+    vtkNew<vtkDoubleArray> number;
+    number->SetName(contract::LayersNumber);
+    number->SetNumberOfValues(cleared->GetFieldData()->GetArray(contract::LayersNumber)->GetNumberOfTuples());
+    number->Fill(0);
+    number->SetValue(ZLow, bad);
+    cleared->GetFieldData()->AddArray(number);
+    this->Filter->SetFirstHeight(0);
+    this->Filter->SetNumberOfLayers(25);
+    this->Filter->SetInputData(cleared);
+    this->ExpectRefusal("set NumberOfLayers");
+  }
+}
+
+// Far above what can be: the layers end where they meet the isotropic mesh.
+TEST_F(DirectionalEnrichment, AnyHeightsGiveAValidMesh)
+{
+  struct Heights
+  {
+    double first;
+    double growth;
+    int layers;
+  };
+  constexpr Heights all[] = { { 1e-12, 1.2, 200 }, { 1e-12, 10, 1000 }, { 1e-3, 1, 1000 }, { 1e-15, 1.2, 25 },
+    { 0.3, 1.2, 1 }, { 0.9, 10, 1000 } };
+  for (const Heights& heights : all)
+  {
+    this->Filter->SetFirstHeight(heights.first);
+    this->Filter->SetGrowthRate(heights.growth);
+    this->Filter->SetNumberOfLayers(heights.layers);
+    ErrorCatcher errors(this->Filter);
+    this->Filter->Update();
+    EXPECT_EQ(errors.GetText(), "");
+    const auto faults = ransmesh::findFaults(Read(this->Filter->GetOutput()));
+    EXPECT_TRUE(faults.none()) << heights.first << ": " << faults.text();
+  }
+}
+
+TEST_F(DirectionalEnrichment, SaysWhyThereAreNoLayers)
+{
+  vtkNew<vtkCallbackCommand> listener;
+  std::string warning;
+  listener->SetClientData(&warning);
+  listener->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
+    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
+  this->Filter->AddObserver(vtkCommand::WarningEvent, listener);
+  this->Filter->SetFirstHeight(0.9);
+  this->Filter->Update();
+  EXPECT_EQ(this->Filter->GetNumberOfInsertedPoints(), 0);
+  EXPECT_NE(warning.find("no layers were made; wall points by StopReason: isotropic size reached 30"),
+    std::string::npos)
+    << warning;
 }

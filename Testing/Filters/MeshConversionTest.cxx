@@ -161,7 +161,7 @@ TEST(MeshConversion, refusesAMeshWithoutPatches)
 
 TEST(MeshConversion, refusesPatchNumbersThatAreNone)
 {
-  for (const double bad : { 0.0, -3.0, 1.5, 1e30, std::numeric_limits<double>::quiet_NaN() })
+  for (const double bad : { 0.0, -3.0, 1.5, 100001.0, 1e9, 1e30, std::numeric_limits<double>::quiet_NaN() })
   {
     const auto grid = GridOf(Box());
     ReplacePatchIds<vtkDoubleArray>(grid);

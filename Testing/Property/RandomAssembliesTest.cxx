@@ -58,8 +58,11 @@ bool isMeshed(std::uint32_t seed, VolumeChanges& largest)
   {
     return false;
   }
+  // Small bodies of few, curved triangles, whose sides of any type are curved, too.
+  constexpr Drifts allowed = { 2e-2, 5e-3 };
   const auto run = [&] { return chain_run::runChain(random.body, optionsFor(random)); };
-  if (const std::string fault = findFault(run, toPolyData(random.body), random.size, largest); !fault.empty())
+  if (const std::string fault = findFault(run, toPolyData(random.body), random.size, allowed, largest);
+      !fault.empty())
   {
     ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << describe(random);
   }

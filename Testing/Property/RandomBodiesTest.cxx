@@ -67,7 +67,7 @@ bool isMeshed(std::uint32_t seed, VolumeChanges& largest)
   const chain_run::ChainOptions options = randomOptions(seed, random.size);
   const vtkSmartPointer<vtkPolyData> surface = toPolyData(random.body);
   const auto run = [&] { return chain_run::runChain(surface, options); };
-  if (const std::string fault = findFault(run, surface, random.size, largest); !fault.empty())
+  if (const std::string fault = findFault(run, surface, random.size, { 5e-3, 1e-3 }, largest); !fault.empty())
   {
     ADD_FAILURE() << "seed " << seed << ": " << fault << "\n" << howToRepeat(seed, surface, options);
   }

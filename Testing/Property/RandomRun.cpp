@@ -45,7 +45,7 @@ std::string VolumeChanges::text() const
 }
 
 std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkPolyData* surface, double edge,
-  VolumeChanges& largest)
+  const Drifts& allowed, VolumeChanges& largest)
 {
   try
   {
@@ -60,9 +60,11 @@ std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkP
     // walls too near, or a first height as large as the triangles.
     return !result.faults.empty()                    ? result.faults
       : result.inserted == 0 && result.requested > 0 ? "nothing was inserted"
-      : byRemoval >= 5e-3    ? "removal moved the surface by " + std::to_string(byRemoval) + " edges"
-      : byEnrichment >= 1e-3 ? "enrichment moved the surface by " + std::to_string(byEnrichment) + " edges"
-                             : "";
+      : byRemoval >= allowed.byRemoval
+      ? "removal moved the surface by " + std::to_string(byRemoval) + " edges"
+      : byEnrichment >= allowed.byEnrichment
+      ? "enrichment moved the surface by " + std::to_string(byEnrichment) + " edges"
+      : "";
   }
   catch (const std::exception& error)
   {

@@ -26,7 +26,14 @@ struct VolumeChanges
   std::string text() const;
 };
 
+// How far the surface may move, in edges, on the average.
+struct Drifts
+{
+  double byRemoval;
+  double byEnrichment;
+};
+
 // What is wrong with the mesh that the chain makes of the surface, whose triangles have this edge, or nothing.
 std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkPolyData* surface, double edge,
-  VolumeChanges& largest);
+  const Drifts& allowed, VolumeChanges& largest);
 } // namespace random_run
