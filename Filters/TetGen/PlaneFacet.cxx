@@ -4,6 +4,9 @@
 
 #include "Triangles/SurfaceEdges.h"
 
+#include <algorithm>
+#include <array>
+
 namespace ransmesh
 {
 namespace
@@ -19,6 +22,20 @@ std::vector<Vector3> pointsOf(const worker::Request& request)
   return points;
 }
 
+// Edges far from the middle first. TetGen begins with the first points, and dies where a later one lies on the line of
+// two with none beyond them.
+void sortFromOutside(const std::vector<Vector3>& points, std::vector<std::array<Index, 2>>& edges)
+{
+  Vector3 middle;
+  for (const auto& [a, b] : edges)
+  {
+    middle += (0.5 / static_cast<double>(edges.size())) * (points[a] + points[b]);
+  }
+  const auto reach = [&](const std::array<Index, 2>& edge)
+  { return std::max(distance(points[edge[0]], middle), distance(points[edge[1]], middle)); };
+  std::stable_sort(edges.begin(), edges.end(),
+    [&](const auto& one, const auto& other) { return reach(one) > reach(other); });
+}
 } // namespace
 
 PlaneEdges edgesIn(const SurfaceMesh& surface, const std::vector<char>& isSheet, const AxisPlane& plane)
@@ -66,10 +83,12 @@ Outcome addPlaneFacet(const ClosingPlane& plane, PlaneEdges edges, const std::op
       edges.outline.push_back({ outline->loop[i], outline->loop[(i + 1) % outline->loop.size()] });
     }
   }
-  if (Outcome outcome = findPlaneArea(pointsOf(request), plane.plane.axis, edges, seed, area); !outcome.ok())
+  const std::vector<Vector3> points = pointsOf(request);
+  if (Outcome outcome = findPlaneArea(points, plane.plane.axis, edges, seed, area); !outcome.ok())
   {
     return outcome;
   }
+  sortFromOutside(points, area.edges);
   const auto polygon = static_cast<std::int32_t>(request.markers.size());
   for (std::size_t i = 0; i < area.edges.size(); ++i)
   {

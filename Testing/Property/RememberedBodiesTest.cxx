@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
 #include <string>
 
@@ -20,6 +21,7 @@ struct Remembered
   double growth;
   int layers;
   bool farField;
+  std::optional<double> symmetryPlace; // as in ChainOptions
 };
 
 void PrintTo(const Remembered& body, std::ostream* out)
@@ -29,7 +31,9 @@ void PrintTo(const Remembered& body, std::ostream* out)
 
 const Remembered all[] = {
   // TetGen walks round for ever at its usual tolerance of coplanarity, and at a finer one.
-  { "plane-but-for-rounding", 2.36, 1.026, 23, true },
+  { "plane-but-for-rounding", 2.36, 1.026, 23, true, {} },
+  // Cut by the plane of symmetry: TetGen dies where the plane's polygon does not begin with its outermost points.
+  { "flat-body-cut", 0.039, 1.01, 29, true, -59693.109840332247 },
 };
 
 class RememberedBodies : public testing::TestWithParam<Remembered>
@@ -56,6 +60,7 @@ TEST_P(RememberedBodies, GiveValidMeshes)
   options.growth = body.growth;
   options.layers = body.layers;
   options.farField = body.farField;
+  options.symmetryPlace = body.symmetryPlace;
   const chain_run::ChainResult result = chain_run::runChain(reader->GetOutput(), options);
   EXPECT_EQ(result.faults, "");
   EXPECT_GT(result.inserted, 0);
