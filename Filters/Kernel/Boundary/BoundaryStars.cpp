@@ -1,5 +1,7 @@
 #include "Boundary/BoundaryStars.h"
 
+#include "Mesh/FaceAhead.h"
+
 #include <cmath>
 
 namespace ransmesh
@@ -13,6 +15,7 @@ BoundaryStars::BoundaryStars(const TetMesh& mesh)
   for (std::size_t i = 0; i < vertices_.size(); ++i)
   {
     const auto b = static_cast<Index>(i);
+    fetchAheadOfFace(mesh, i);
     if (mesh.boundaryFace(b).isAlive())
     {
       const auto v = mesh.boundaryVertices(b);

@@ -62,24 +62,26 @@ double largestDoubleArea(const std::array<Vector3, 4>& p)
   return std::max(first, second);
 }
 
-// Is one plus the cosine of the angle between every two of the faces with these normals above the limit, which must
-// be below one? Without roots.
-bool allAnglesAbove(const std::array<Vector3, 4>& normal, double limit)
+// The largest cosine between any two of these vectors, as its square with its sign; by products instead of quotients.
+double largestCosineSquared(const std::array<Vector3, 4>& normal)
 {
   std::array<double, 4> square;
   for (int i = 0; i < 4; ++i)
   {
     square[i] = dot(normal[i], normal[i]);
   }
-  constexpr double safe = 1 - 1e-12; // for rounding
-  const double most = safe * (1 - limit) * (1 - limit);
-  bool above = true;
+  double most = -1;
+  double of = 1;
   for (const auto& faces : EdgeCorners)
   {
-    const double product = dot(normal[faces[0]], normal[faces[1]]);
-    above &= product < 0 || product * product < most * square[faces[0]] * square[faces[1]];
+    const double cosine = dot(normal[faces[0]], normal[faces[1]]);
+    const double alike = cosine * std::fabs(cosine);
+    const double product = square[faces[0]] * square[faces[1]];
+    const bool isMore = alike * of > most * product;
+    most = isMore ? alike : most;
+    of = isMore ? product : of;
   }
-  return above;
+  return most / of;
 }
 } // namespace
 
@@ -135,9 +137,10 @@ double angleQuality(
   const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange& range)
 {
   const double plain = quality(a, b, c, d);
-  if (!(plain > std::max(range.floor, 0.0)))
+  const double ofNeedles = 4 * plain;
+  if (!(ofNeedles > std::max(range.floor, 0.0)))
   {
-    return plain;
+    return ofNeedles;
   }
   // One plus the cosine of a tetrahedron's largest angle is at least the square of its quality: of all with such an
   // angle t, the best is the symmetric one, of quality root of two sin t / (1 + sin^2 t/2).
@@ -146,22 +149,14 @@ double angleQuality(
     return plain * plain;
   }
   // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
-  // ask for nothing else, and spent half of their time there.
-  const std::array<Vector3, 4> outward = { cross(c - b, d - b), cross(d - a, c - a), cross(b - a, d - a),
-    cross(c - a, b - a) };
-  if (plain > range.ceiling && allAnglesAbove(outward, range.ceiling))
-  {
-    return plain;
-  }
-  std::array<double, 4> square{};
-  std::transform(outward.begin(), outward.end(), square.begin(),
-    [](const Vector3& normal) { return dot(normal, normal); });
-  double alike = -1; // the cosine's square, with its sign: one root instead of four
-  for (const auto& faces : EdgeCorners)
-  {
-    const double cosine = dot(outward[faces[0]], outward[faces[1]]);
-    alike = std::max(alike, cosine * std::fabs(cosine) / (square[faces[0]] * square[faces[1]]));
-  }
-  return std::min(plain, 1 - std::copysign(std::sqrt(std::fabs(alike)), alike));
+  // ask for nothing else, and spent half of their time there. The normals of a closed surface add up to nothing.
+  const Vector3 u = b - a;
+  const Vector3 v = c - a;
+  const Vector3 w = d - a;
+  const Vector3 ofB = cross(w, v);
+  const Vector3 ofC = cross(u, w);
+  const Vector3 ofD = cross(v, u);
+  const double alike = largestCosineSquared({ Vector3{} - (ofB + ofC + ofD), ofB, ofC, ofD });
+  return std::min(ofNeedles, 1 - std::copysign(std::sqrt(std::fabs(alike)), alike));
 }
 } // namespace ransmesh

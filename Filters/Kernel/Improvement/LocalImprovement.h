@@ -76,6 +76,8 @@ public:
 
   // The tetrahedra made by the last successful swap.
   const std::vector<Index>& made() const { return *made_; }
+  // Those at the vertex that was moved last.
+  const std::vector<Index>& around() const { return tets_; }
 
 private:
   bool swapEdge(Index tet, int edge, const SwapMemory& memory);

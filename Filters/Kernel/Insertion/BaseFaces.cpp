@@ -1,5 +1,7 @@
 #include "Insertion/BaseFaces.h"
 
+#include "Mesh/FaceAhead.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -17,6 +19,26 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 
 namespace
 {
+// What faces need of the column at a vertex, in a small list that stays in the cache.
+struct Foot
+{
+  Index column = None; // that stands there
+  Index root = None;
+};
+
+std::vector<Foot> feetOf(const TetMesh& mesh, const ColumnSet& set)
+{
+  std::vector<Foot> feet(mesh.vertexCount());
+  for (std::size_t c = 0; c < set.columns.size(); ++c)
+  {
+    if (set.columns[c].levels > 0)
+    {
+      feet[set.columns[c].vertex] = { static_cast<Index>(c), set.columns[c].root };
+    }
+  }
+  return feet;
+}
+
 void sortRise(const ColumnSet& set, BaseFace& face)
 {
   const auto isLater = [&](int j)
@@ -40,8 +62,10 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
 {
   std::vector<BaseFace> faces;
   faces.reserve(mesh.boundarySlots());
+  const std::vector<Foot> feet = feetOf(mesh, set);
   for (std::size_t i = 0; i < mesh.boundarySlots(); ++i)
   {
+    fetchAheadOfFace(mesh, i);
     BaseFace face;
     face.face = static_cast<Index>(i);
     if (!mesh.boundaryFace(face.face).isAlive())
@@ -53,10 +77,10 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     bool carries = false; // has it a standing column for which its patch is not a side?
     for (int j = 0; j < 3; ++j)
     {
-      face.column[j] = set.standingAt(face.vertex[j]);
-      const Column* c = face.column[j] == None ? nullptr : &set.columns[face.column[j]];
-      face.root[j] = c ? c->root : face.vertex[j];
-      carries = carries || (c && !c->staysIn(face.patch));
+      const Foot& foot = feet[face.vertex[j]];
+      face.column[j] = foot.column;
+      face.root[j] = foot.column == None ? face.vertex[j] : foot.root;
+      carries = carries || (foot.column != None && !set.columns[foot.column].staysIn(face.patch));
     }
     if (carries)
     {

@@ -107,11 +107,12 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     {
       return Outcome::cancelled();
     }
-    context.report(0.7, "writing the layers");
+    context.report(0.7, "improving the mesh beyond the layers");
     std::vector<Index> folded;
     if (mendFolds(mesh, set, folded))
     {
       enriched.report.improvements = improveBeyondFront(mesh, set, rules, context);
+      context.report(0.9, "writing the layers");
       writeEnriched(mesh, set, options.maximumSurfaceAngle, enriched);
       result = std::move(enriched);
       return Outcome::done();

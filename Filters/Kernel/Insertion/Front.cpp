@@ -18,6 +18,11 @@ Front::Front(const TetMesh& mesh, const ColumnSet& set)
     const double thickness = set.thickness(set.columns[c]);
     share_[c] = thickness > 0 ? set.columns[c].lifted / thickness : 0;
   }
+  base_.reserve(faces_.size());
+  for (const BaseFace& face : faces_)
+  {
+    base_.push_back(basePoints(mesh, set, face));
+  }
   const auto forEach = [this](auto visit)
   {
     for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -50,17 +55,18 @@ Vector3 Front::position(Index column, double share) const
 bool Front::slabAllows(Index column, const Vector3& x) const
 {
   return std::all_of(facesAt_.begin() + start_[column], facesAt_.begin() + start_[column + 1],
-    [&](Index face) { return slabIsPositive(faces_[face], column, x); });
+    [&](Index face) { return slabIsPositive(static_cast<std::size_t>(face), column, x); });
 }
 
-bool Front::slabIsPositive(const BaseFace& face) const
+bool Front::slabIsPositive(std::size_t face) const
 {
   return slabIsPositive(face, None, {});
 }
 
-bool Front::slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const
+bool Front::slabIsPositive(std::size_t number, Index moved, const Vector3& x) const
 {
-  std::array<Vector3, 3> current = basePoints(mesh_, set_, face);
+  const BaseFace& face = faces_[number];
+  std::array<Vector3, 3> current = base_[number];
   BaseCorners corners(face.root);
   for (const int corner : face.rise)
   {

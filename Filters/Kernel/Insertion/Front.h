@@ -28,8 +28,8 @@ public:
   Vector3 position(Index column, double share) const;
   // Would the slab below the column's faces be positive, with its top at x and all others where they are?
   bool slabAllows(Index column, const Vector3& x) const;
-  // The same for one face, all tops where they are.
-  bool slabIsPositive(const BaseFace& face) const;
+  // The same for one of the faces, by number, all tops where they are.
+  bool slabIsPositive(std::size_t face) const;
   const std::vector<BaseFace>& faces() const { return faces_; }
   // The numbers in faces() of those at a column.
   std::span<const Index> facesAt(Index column) const
@@ -38,13 +38,14 @@ public:
   }
 
 private:
-  bool slabIsPositive(const BaseFace& face, Index moved, const Vector3& x) const;
+  bool slabIsPositive(std::size_t number, Index moved, const Vector3& x) const;
 
   const TetMesh& mesh_;
   const ColumnSet& set_;
   std::vector<double> share_;
   std::vector<BaseFace> faces_;
-  std::vector<std::size_t> start_; // of each column in facesAt_
+  std::vector<std::array<Vector3, 3>> base_; // of each face: where its corners stand on the wall
+  std::vector<std::size_t> start_;           // of each column in facesAt_
   std::vector<Index> facesAt_;
 };
 } // namespace ransmesh

@@ -1,21 +1,18 @@
 #include "Insertion/FrontImprovement.h"
 
-#include "Mesh/Traversal.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <utility>
+#include <tuple>
 
 namespace ransmesh
 {
 namespace
 {
 constexpr double Poor = 0.15; // angleQuality that is worth a try
-// With the swaps that follow from a swap made at once, three passes leave as little as five did with these in the next
-// pass.
-constexpr int Passes = 3;
+constexpr int Passes = 4;
+constexpr int PassesWithMoves = 3; // after the last swaps they mend little
 // So many swaps may follow from one.
 constexpr int LongestChain = 30;
 // Of a hundred edges with more tetrahedra around them, three could be swapped away, at twice the cost of others.
@@ -53,7 +50,6 @@ class Changes
 public:
   explicit Changes(const TetMesh& mesh)
     : mesh_(mesh)
-    , traversal_(mesh)
     , last_(mesh.vertexCount(), 1)
     , ofTet_(mesh.tetSlots(), 1)
     , unmoved_(mesh.vertexCount(), Never)
@@ -82,12 +78,6 @@ public:
     ++count_;
     note(tets);
   }
-  void noteMoved(Index v)
-  {
-    ++count_;
-    traversal_.ball(v, ball_);
-    note(ball_);
-  }
 
 private:
   bool anyAtVertex(Index v, std::uint32_t triedAt) const { return last_[v] > triedAt; }
@@ -105,8 +95,6 @@ private:
   }
 
   const TetMesh& mesh_;
-  Traversal traversal_;
-  std::vector<Index> ball_;
   std::vector<std::uint32_t> last_;    // by vertex
   std::vector<std::uint32_t> ofTet_;   // the same by tetrahedron
   std::vector<std::uint32_t> unmoved_; // by vertex: when it could not be moved
@@ -122,19 +110,21 @@ struct Candidate
 {
   Index tet;
   std::uint32_t triedAt; // the count of changes when it was tried in vain, or Never
+  Index place = None;    // its least vertex
 };
 
 // Tetrahedra with a common vertex after each other: what one looks at is in the cache for the next. Numbers of
 // tetrahedra made by swaps follow no place; measured on an aircraft, this stage took half as long again by them.
 void sortByPlace(const TetMesh& mesh, std::vector<Candidate>& work)
 {
-  const auto place = [&mesh](const Candidate& c)
+  for (Candidate& c : work)
   {
     const auto& v = mesh.tet(c.tet).vertex;
-    return std::pair(*std::min_element(v.begin(), v.end()), c.tet);
-  };
-  std::sort(
-    work.begin(), work.end(), [&](const Candidate& a, const Candidate& b) { return place(a) < place(b); });
+    c.place = *std::min_element(v.begin(), v.end());
+  }
+  std::sort(work.begin(), work.end(),
+    [](const Candidate& a, const Candidate& b)
+    { return std::tie(a.place, a.tet) < std::tie(b.place, b.tet); });
 }
 
 // Swaps a candidate away if that can be, and what is poor of that which comes instead, while it is in the cache. What
@@ -146,7 +136,8 @@ void swapAway(const Candidate& first, const TetMesh& mesh, LocalImprovement& imp
   int made = 0;
   while (!work.empty())
   {
-    const auto [t, triedAt] = work.back();
+    const Index t = work.back().tet;
+    const std::uint32_t triedAt = work.back().triedAt;
     work.pop_back();
     if (!isPoor(mesh, t, improvement))
     {
@@ -199,7 +190,7 @@ void moveCorners(
       }
       if (improvement.move(v, Kept))
       {
-        changes.noteMoved(v);
+        changes.noteMade(improvement.around());
       }
       else
       {
@@ -225,7 +216,10 @@ std::size_t improveBeyondFront(
     sortByPlace(mesh, work);
     // All swaps before all moves: each swap is a reason to try to move all vertices around again.
     work = swapAway(work, mesh, improvement, changes);
-    moveCorners(work, mesh, improvement, changes);
+    if (pass < PassesWithMoves)
+    {
+      moveCorners(work, mesh, improvement, changes);
+    }
   }
   return changes.made();
 }

@@ -122,6 +122,10 @@ bool FrontMoves::starBest(
       wanted = grown_.worst();
       best_ = grown_.cavity();
       bestApex = apex;
+      if (apex == column.vertex)
+      {
+        break;
+      }
     }
   }
   if (bestApex == None || (bestApex != checkedLast && star_.check(best_, bestApex) != StarVerdict::Possible))

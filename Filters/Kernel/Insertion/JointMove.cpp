@@ -123,7 +123,7 @@ bool JointMove::takeBackAtFoldedFaces()
     [&](std::size_t i)
     {
       const BaseFace& face = front_.faces()[i];
-      if (anyHasMoved(face.vertex) && !front_.slabIsPositive(face))
+      if (anyHasMoved(face.vertex) && !front_.slabIsPositive(i))
       {
         takeBackAll(face.vertex);
         any = true;

@@ -40,23 +40,56 @@ bool RayWalk::passes(const std::array<Index, 3>& face, const Vector3& from, cons
 
 HalfFace RayWalk::firstExit(Index v, const Vector3& d)
 {
-  traversal_.ball(v, ball_);
-  for (const Index t : ball_)
+  // The ball of v, until it is found.
+  seen_.clear();
+  ball_.assign(1, mesh_.tetAt(v));
+  seen_.set(ball_.front());
+  for (std::size_t i = 0; i < ball_.size(); ++i)
   {
-    const int corner = mesh_.tet(t).cornerOf(v);
-    if (passes(mesh_.tet(t).face(corner), mesh_.point(v), d))
+    const Tetrahedron& tet = mesh_.tet(ball_[i]);
+    const int corner = tet.cornerOf(v);
+    if (passes(tet.face(corner), mesh_.point(v), d))
     {
-      return halfFace(t, corner);
+      return halfFace(ball_[i], corner);
+    }
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace other = tet.neighbour[f];
+      if (f != corner && !isBoundary(other) && seen_.set(tetOf(other)))
+      {
+        mesh_.fetchAhead(tetOf(other));
+        ball_.push_back(tetOf(other));
+      }
     }
   }
   return None;
 }
 
+// The ray passes the edges of the face that it came through: which other face it leaves by, the edges to the corner
+// opposite tell.
 HalfFace RayWalk::exitFrom(HalfFace entry, const Vector3& from, const Vector3& d) const
 {
+  const Tetrahedron& tet = mesh_.tet(tetOf(entry));
+  const int apex = faceOf(entry);
+  const Vector3 toApex = cross(mesh_.point(tet.vertex[apex]) - from, d);
+  std::array<double, 4> side{}; // of the edge from the apex to the corner
+  for (int i = 0; i < 4; ++i)
+  {
+    side[i] = i == apex ? 0 : dot(toApex, mesh_.point(tet.vertex[i]) - from);
+  }
   for (int f = 0; f < 4; ++f)
   {
-    if (f != faceOf(entry) && passes(mesh_.tet(tetOf(entry)).face(f), from, d))
+    if (f == apex)
+    {
+      continue;
+    }
+    // The face's corners after and before the apex, as it is turned.
+    int at = 0;
+    while (FaceCorners[f][at] != apex)
+    {
+      ++at;
+    }
+    if (side[FaceCorners[f][(at + 1) % 3]] >= 0 && side[FaceCorners[f][(at + 2) % 3]] <= 0)
     {
       return halfFace(tetOf(entry), f);
     }

@@ -1,7 +1,8 @@
 // Follows rays from vertices through the mesh.
 #pragma once
 
-#include "Mesh/Traversal.h"
+#include "Mesh/LocalNumbers.h"
+#include "Mesh/TetMesh.h"
 
 #include <vector>
 
@@ -12,7 +13,6 @@ class RayWalk
 public:
   explicit RayWalk(const TetMesh& mesh)
     : mesh_(mesh)
-    , traversal_(mesh)
   {
   }
 
@@ -30,7 +30,7 @@ private:
   double distanceTo(HalfFace h, const Vector3& from, const Vector3& d) const;
 
   const TetMesh& mesh_;
-  Traversal traversal_;
+  LocalMarks seen_;
   std::vector<Index> ball_;
   int patchHit_ = 0;
 };

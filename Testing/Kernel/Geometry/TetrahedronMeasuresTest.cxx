@@ -103,8 +103,11 @@ TEST(TetrahedronMeasures, anglesAgreeWithNormals)
 TEST(TetrahedronMeasures, angleQualityCountsFlatCapsAsBad)
 {
   using ransmesh::angleQuality;
-  // The regular tetrahedron has no large angle: quality decides.
-  EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { -1, 1, -1 }, { 1, -1, -1 }, { -1, -1, 1 }), 1, 1e-12);
+  // The largest cosine between normals of the regular one's faces is -1/3.
+  EXPECT_NEAR(angleQuality({ 1, 1, 1 }, { -1, 1, -1 }, { 1, -1, -1 }, { -1, -1, 1 }), 4.0 / 3, 1e-12);
+  // A needle has no large angle: quality decides.
+  const double needle = ransmesh::quality({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0.9, 0 }, { 0.5, 0.3, 20 });
+  EXPECT_NEAR(angleQuality({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0.9, 0 }, { 0.5, 0.3, 20 }), 4 * needle, 1e-12);
   // Two triangles that meet in the edge a b and turn by 2 atan(h) there.
   const auto cap = [](double h, auto measure) {
     return measure({ 0, 1, 0 }, { 0, -1, 0 }, { 1, 0, h }, { -1, 0, h }, ransmesh::ShapeRange{});
