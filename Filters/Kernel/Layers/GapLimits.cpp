@@ -1,6 +1,8 @@
 #include "Layers/GapLimits.h"
 
+#include "Layers/ClearBall.h"
 #include "Layers/ColumnLimits.h"
+#include "Layers/FaceGaps.h"
 #include "Layers/RayWalk.h"
 
 #include <algorithm>
@@ -71,10 +73,15 @@ public:
     , nearest_(nearestPlanes(mesh, set))
     , fanOf_(set.columns.size(), None)
     , walk_(mesh)
+    , balls_(mesh, stars, set)
   {
     for (std::size_t i = 0; i < set.fans.size(); ++i)
     {
       fanOf_[set.fans[i].column] = static_cast<Index>(i);
+    }
+    for (const Column& c : set.columns)
+    {
+      highest_ = std::max(highest_, set.thickness(c));
     }
   }
 
@@ -89,7 +96,7 @@ public:
     collectSteps(column);
     const double longest = norm(*std::max_element(steps_.begin(), steps_.end(),
       [](const Vector3& a, const Vector3& b) { return dot(a, a) < dot(b, b); }));
-    if (nearest_[column] > set_.thickness(c) * longest / gapFraction_)
+    if (nearest_[column] > highest_ * longest / gapFraction_)
     {
       return;
     }
@@ -104,7 +111,10 @@ public:
         c.limit(levelBelow(set_, c, share * free / ray.rise), StopReason::Gap);
       }
     }
+    limitBeside(c);
   }
+
+  const std::vector<FaceMeeting>& meetings() const { return meetings_; }
 
 private:
   // At the column's root, which comes first of its vertices.
@@ -114,6 +124,22 @@ private:
     Vector3 normal;
     int patch;
   };
+
+  // Limits a column by the balls between it and other walls. Of these a face may be met that is to have layers where
+  // the column is low for another reason, or has none.
+  void limitBeside(Column& c)
+  {
+    for (const Vector3& step : steps_)
+    {
+      const double length = norm(step);
+      const double room = balls_.diameter(c.root, (1 / length) * step, highest_ * length / gapFraction_);
+      if (balls_.faceTouched() != None)
+      {
+        c.limit(levelBelow(set_, c, gapFraction_ * room / length), StopReason::Gap);
+        meetings_.push_back({ balls_.faceTouched(), balls_.placeTouched(), room });
+      }
+    }
+  }
 
   // Of the column, or of all those of its fan.
   void collectSteps(Index column)
@@ -197,6 +223,9 @@ private:
   std::vector<double> nearest_;
   std::vector<Index> fanOf_; // by column
   RayWalk walk_;
+  ClearBall balls_;
+  double highest_ = 0; // of all columns
+  std::vector<FaceMeeting> meetings_;
   std::vector<Vector3> steps_;
   std::vector<Face> faces_;
   std::vector<Ray> rays_;
@@ -211,5 +240,7 @@ void limitByGap(const TetMesh& mesh, const BoundaryStars& stars, double gapFract
   {
     finder.limit(static_cast<Index>(i));
   }
+  limitFacesMet(mesh, finder.meetings(), gapFraction, set);
+  limitInWedges(mesh, stars, gapFraction, set);
 }
 } // namespace ransmesh

@@ -3,6 +3,7 @@
 
 #include "Triangles/SurfaceMesh.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,17 @@ public:
   // The triangle closest to p, which moves to the closest place on it; None if there are none.
   Index closest(Vector3& p) const;
 
+  // Calls visit(triangle) for those in boxes that a ball reaches: its centre and radius are asked for anew, and may
+  // shrink, whenever a box is looked at. Boxes nearer to its centre come first.
+  template <typename BallOf, typename Visit>
+  void visitWithin(const BallOf& ballOf, const Visit& visit) const
+  {
+    if (!nodes_.empty())
+    {
+      visitWithin(0, ballOf, visit);
+    }
+  }
+
 private:
   struct Node
   {
@@ -34,6 +46,26 @@ private:
     Vector3 place;
     Index triangle = None;
   };
+
+  template <typename BallOf, typename Visit>
+  void visitWithin(Index node, const BallOf& ballOf, const Visit& visit) const
+  {
+    const auto [centre, radius] = ballOf();
+    if (squareTo(node, centre) >= radius * radius)
+    {
+      return;
+    }
+    const Node& here = nodes_[node];
+    if (here.right == None)
+    {
+      std::for_each(triangles_.begin() + here.begin, triangles_.begin() + here.end, visit);
+      return;
+    }
+    const Index left = node + 1;
+    const bool leftFirst = squareTo(left, centre) <= squareTo(here.right, centre);
+    visitWithin(leftFirst ? left : here.right, ballOf, visit);
+    visitWithin(leftFirst ? here.right : left, ballOf, visit);
+  }
 
   Index build(Index begin, Index end);
   Node around(Index begin, Index end) const;

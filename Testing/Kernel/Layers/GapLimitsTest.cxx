@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace ransmesh;
@@ -164,4 +165,24 @@ TEST(GapLimits, EachColumnOfAFanLooksForItself)
   EXPECT_GE(ground.at(0.5, 0.5).levels, 2); // 0.3 of 0.1
   EXPECT_LE(ground.at(0.5, 0.5).levels, 3);
   EXPECT_EQ(ground.at(0.5, 0.5).reason, StopReason::Gap);
+}
+
+TEST(GapLimits, WideFacesStayClearOfWhatHangsBetweenTheirCorners)
+{
+  // A lid with one peak that hangs down over the middle of a square of the floor, whose corners see the lid higher up.
+  const auto peak = [](const Vector3& p)
+  {
+    const bool isPeak = p.z > 0.99 && std::abs(p.x - 0.5) < 0.01 && std::abs(p.y - 0.5) < 0.01;
+    return Vector3{ p.x + (1 - p.z) / 12, p.y + (1 - p.z) / 12, isPeak ? 0.04 : 0.4 * p.z };
+  };
+  Ground ground({ 6, 6, 1, peak }, {}, ZHigh);
+  ground.limit(0.3);
+  const double edge = 1.0 / 12;
+  int highest = 0;
+  for (const auto& [x, y] : { std::pair(0.5 - edge, 0.5 - edge), std::pair(0.5 + edge, 0.5 + edge) })
+  {
+    highest = std::max(highest, ground.at(x, y).levels);
+    EXPECT_EQ(ground.at(x, y).reason, StopReason::Gap);
+  }
+  EXPECT_LE(highest, 1); // 0.3 of 0.04 in steps of 0.01
 }

@@ -1,0 +1,114 @@
+#include "Layers/ClearBall.h"
+
+#include "Geometry/Distance.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ransmesh
+{
+namespace
+{
+// A ball that would shrink by less stays as it is.
+constexpr double Markedly = 0.999;
+// Up to so many steps bring it to touch one triangle.
+constexpr int MostSteps = 10;
+// Walls are joined where a way between two of their places keeps within so many times the distance of these.
+constexpr double Joined = 2;
+// The way across is free if a ray can go so much of it: where it ends is on the boundary.
+constexpr double AllButEnd = 0.98;
+} // namespace
+
+ClearBall::ClearBall(const TetMesh& mesh, const BoundaryStars& stars, const ColumnSet& set)
+  : mesh_(mesh)
+  , stars_(stars)
+  , set_(set)
+  , walk_(mesh)
+  , way_(mesh, stars)
+{
+}
+
+void ClearBall::collectWalls()
+{
+  walls_.points = mesh_.points();
+  for (std::size_t i = 0; i < mesh_.boundarySlots(); ++i)
+  {
+    const auto face = static_cast<Index>(i);
+    if (!mesh_.boundaryFace(face).isAlive())
+    {
+      continue;
+    }
+    const int patch = mesh_.boundaryFace(face).patch;
+    const auto v = mesh_.boundaryVertices(face);
+    const auto carries = [&](Index w)
+    { return set_.ofVertex[w] != None && !set_.columns[set_.ofVertex[w]].staysIn(patch); };
+    if (std::all_of(v.begin(), v.end(), carries))
+    {
+      walls_.triangles.push_back(v);
+      walls_.patch.push_back(patch);
+      faceOf_.push_back(face);
+    }
+  }
+  std::vector<Index> all(walls_.triangles.size());
+  std::iota(all.begin(), all.end(), Index{ 0 });
+  tree_.emplace(walls_, std::move(all));
+}
+
+double ClearBall::diameter(Index root, const Vector3& direction, double widest)
+{
+  if (!tree_)
+  {
+    collectWalls();
+  }
+  root_ = root;
+  direction_ = direction;
+  diameter_ = widest;
+  faceTouched_ = None;
+  way_.beginAt(root);
+  tree_->visitWithin(
+    [this] { return std::pair(centre(), diameter_ / 2); }, [this](Index triangle) { shrink(triangle); });
+  return diameter_;
+}
+
+Vector3 ClearBall::centre() const
+{
+  return mesh_.point(root_) + (diameter_ / 2) * direction_;
+}
+
+// Lets the ball shrink until it touches the triangle, if it reaches that at all.
+void ClearBall::shrink(Index triangle)
+{
+  const auto& v = walls_.triangles[triangle];
+  if (std::find(v.begin(), v.end(), root_) != v.end())
+  {
+    return;
+  }
+  for (int step = 0; step < MostSteps; ++step)
+  {
+    const Vector3 place =
+      closestPointOnTriangle(centre(), mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+    const Vector3 way = place - mesh_.point(root_);
+    const double ahead = dot(way, direction_);
+    const bool isInside = ahead > 0 && dot(way, way) < Markedly * diameter_ * ahead;
+    if (!isInside || (faceTouched_ != faceOf_[triangle] && !isOther(faceOf_[triangle], way)))
+    {
+      return;
+    }
+    diameter_ = dot(way, way) / ahead;
+    faceTouched_ = faceOf_[triangle];
+    placeTouched_ = place;
+  }
+}
+
+// Does the face belong to another wall that can be seen from the root, on the given way?
+bool ClearBall::isOther(Index face, const Vector3& way)
+{
+  const double length = norm(way);
+  if (!(length > 0) || dot(stars_.normalOf(face), way) >= 0 || way_.leadsTo(face, Joined * length))
+  {
+    return false;
+  }
+  const double most = AllButEnd * length;
+  return walk_.freeDistance(root_, (1 / length) * way, most) >= most;
+}
+} // namespace ransmesh
