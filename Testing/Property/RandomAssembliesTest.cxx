@@ -70,6 +70,16 @@ bool isMeshed(std::uint32_t seed, VolumeChanges& largest)
 }
 } // namespace
 
+// Stacks of columns between walls of unequal heights, beside grids: their columns rose in another order than the grids'.
+TEST(Property, AssembliesThatOnceFailedGiveValidMeshes)
+{
+  VolumeChanges largest;
+  for (const std::uint32_t seed : { 111066U, 111084U, 111093U })
+  {
+    EXPECT_TRUE(isMeshed(seed, largest));
+  }
+}
+
 TEST(Property, RandomAssembliesGiveValidMeshes)
 {
   const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", 12);

@@ -17,6 +17,11 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
   return points;
 }
 
+bool risesLater(const ColumnSet& set, Index column)
+{
+  return column == None || set.columns[column].bend == None;
+}
+
 namespace
 {
 // What faces need of the column at a vertex, in a small list that stays in the cache.
@@ -41,12 +46,10 @@ std::vector<Foot> feetOf(const TetMesh& mesh, const ColumnSet& set)
 
 void sortRise(const ColumnSet& set, BaseFace& face)
 {
-  const auto isLater = [&](int j)
-  { return face.column[j] == None || set.columns[face.column[j]].bend == None; };
   const auto order = [&](int& j, int& k)
   {
-    if (std::tuple(isLater(k), face.root[k], face.column[k]) <
-      std::tuple(isLater(j), face.root[j], face.column[j]))
+    if (std::tuple(risesLater(set, face.column[k]), face.root[k], face.column[k]) <
+      std::tuple(risesLater(set, face.column[j]), face.root[j], face.column[j]))
     {
       std::swap(j, k);
     }

@@ -45,6 +45,10 @@ private:
 // Where the face's corners stand on the wall.
 std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, const BaseFace& face);
 
+// Whether columns of corners between walls of different heights rise before this one, within a level. column: None for
+// a bare vertex.
+bool risesLater(const ColumnSet& set, Index column);
+
 // All faces that carry layers, those with a standing column for which their patch is not a side, by number.
 // Within a level columns rise in order of their roots' numbers, then of their own, in every face alike: that makes
 // neighbouring stacks match. Those of corners between walls of different heights rise first: they lean over the lower

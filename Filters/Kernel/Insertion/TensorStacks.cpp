@@ -91,6 +91,9 @@ private:
     std::map<std::size_t, Index> chains; // by slot of the base point
   };
 
+  // In which chains rise, as columns do in stacks without grids, which these meet: of a grid, risesLater, root.
+  using ChainOrder = std::tuple<bool, bool, Index>;
+
   Grid& gridOf(Index corner)
   {
     if (!grids_[corner])
@@ -102,10 +105,10 @@ private:
     return *grids_[corner];
   }
 
-  Index addChain(std::vector<Index> points, bool ofGrid, Index root)
+  Index addChain(std::vector<Index> points, const ChainOrder& order)
   {
     out_.chains.push_back(std::move(points));
-    orderOfChain_.emplace_back(ofGrid, root);
+    orderOfChain_.push_back(order);
     return static_cast<Index>(out_.chains.size() - 1);
   }
 
@@ -124,7 +127,8 @@ private:
         origin.layers = static_cast<int>(chain.size()) - 1;
         origin.patch = patch;
       }
-      found->second = addChain(std::move(chain), true, set_.columns[set_.corners[corner].column].root);
+      found->second =
+        addChain(std::move(chain), { true, true, set_.columns[set_.corners[corner].column].root });
     }
     return found->second;
   }
@@ -141,7 +145,7 @@ private:
       {
         chain.push_back(numbers_.at(face.column[j], level));
       }
-      found->second = addChain(std::move(chain), false, face.root[j]);
+      found->second = addChain(std::move(chain), { false, risesLater(set_, face.column[j]), face.root[j] });
     }
     return found->second;
   }
@@ -354,7 +358,7 @@ private:
   std::vector<std::optional<Grid>> grids_;
   std::vector<std::array<char, 3>> squaresDone_;
   std::map<std::pair<Index, Index>, Index> plain_;
-  std::vector<std::pair<bool, Index>> orderOfChain_; // in which chains rise: of a grid, root
+  std::vector<ChainOrder> orderOfChain_;
   std::vector<Index> failed_;
 };
 } // namespace
