@@ -24,17 +24,43 @@ public:
     squares_ = dot(ab, ab) + dot(ac, ac) + dot(bc, bc) + dot(a, a) + dot(b, b) + dot(c, c);
   }
 
+  // The same from corners whose squares are known: those of the edges follow from them and from the sum.
+  FaceView(const Vector3& a, const Vector3& b, const Vector3& c, double squaresOfCorners)
+    : normal_(cross(b - a, c - a))
+    , offset_(dot(normal_, a))
+    , sum_(a + b + c)
+    , squares_(4 * squaresOfCorners - dot(sum_, sum_))
+  {
+  }
+
+  // Six times the volume from the apex, rounded.
+  double sixVolume(const Vector3& apex) const { return dot(normal_, apex) - offset_; }
+
   // The square, with its sign, of the quality (Geometry/TetrahedronMeasures.h) from the apex. Rounded: exact
   // positivity is for the caller to check.
   double signedSquare(const Vector3& apex, double squareOfApex) const
   {
-    const double sixVolume = dot(normal_, apex) - offset_;
-    const double squares = squares_ + 3 * squareOfApex - 2 * dot(sum_, apex); // of all six edges
-    constexpr double regular = 432; // that of the regular tetrahedron is 1
-    return regular * sixVolume * std::fabs(sixVolume) / (squares * squares * squares);
+    const double volume = sixVolume(apex);
+    const double squares = squaresOfEdges(apex, squareOfApex);
+    return Regular * volume * std::fabs(volume) / (squares * squares * squares);
+  }
+
+  // Whether that is above a limit: without a division.
+  bool isAbove(double limit, const Vector3& apex, double squareOfApex) const
+  {
+    const double volume = sixVolume(apex);
+    const double squares = squaresOfEdges(apex, squareOfApex);
+    return Regular * volume * std::fabs(volume) > limit * (squares * squares * squares);
   }
 
 private:
+  static constexpr double Regular = 432; // so that it is 1 for the regular tetrahedron
+
+  double squaresOfEdges(const Vector3& apex, double squareOfApex) const
+  {
+    return squares_ + 3 * squareOfApex - 2 * dot(sum_, apex);
+  }
+
   Vector3 normal_; // twice the area
   double offset_ = 0;
   Vector3 sum_;        // of the corners' places

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ransmesh
 {
@@ -16,29 +17,35 @@ void VertexLink::turnTo(Index v)
   centre_ = mesh_.point(v);
   ends_.clear();
   places_.clear();
+  squares_.clear();
   faces_.clear();
-  viewed_ = 0;
+  views_.clear();
   grown_.clear();
   starred_.clear();
   collectBall(v);
   endsAtV_ = ends_.size();
+  asked_.resize(faces_.size());
+  std::iota(asked_.begin(), asked_.end(), std::size_t{ 0 });
 }
 
 void VertexLink::collectBall(Index v)
 {
-  ball_.assign(1, mesh_.tetAt(v));
-  inBall_.set(ball_.front());
+  ball_.clear();
+  ball_.makeRoom(1);
+  ball_.add(mesh_.tetAt(v));
+  inBall_.set(ball_[0]);
   for (std::size_t i = 0; i < ball_.size(); ++i)
   {
     const Tetrahedron& tet = mesh_.tet(ball_[i]);
     const int cornerOfV = tet.cornerOf(v);
+    ball_.makeRoom(4);
     for (int f = 0; f < 4; ++f)
     {
       const HalfFace other = tet.neighbour[f];
       if (f != cornerOfV && !isBoundary(other) && inBall_.set(tetOf(other)))
       {
         mesh_.fetchAhead(tetOf(other));
-        ball_.push_back(tetOf(other));
+        ball_.add(tetOf(other));
       }
     }
     addFace(tet, cornerOfV);
@@ -46,49 +53,43 @@ void VertexLink::collectBall(Index v)
   placeNewEnds();
 }
 
-int VertexLink::localNumber(Index end)
-{
-  const int number = numbers_.add(end);
-  if (number == static_cast<int>(ends_.size()))
-  {
-    ends_.push_back(end);
-    mesh_.fetchPointAhead(end);
-  }
-  return number;
-}
-
 // After faces have been added: all at once, so that none has to be waited for alone.
 void VertexLink::placeNewEnds()
 {
+  places_.makeRoom(ends_.size());
+  squares_.makeRoom(ends_.size());
+  views_.makeRoom(faces_.size());
   for (std::size_t i = places_.size(); i < ends_.size(); ++i)
   {
-    places_.push_back(mesh_.point(ends_[i]) - centre_);
+    const Vector3 place = mesh_.point(ends_[i]) - centre_;
+    places_.add(place);
+    squares_.add(dot(place, place));
   }
-  for (; viewed_ < faces_.size(); ++viewed_)
+  for (std::size_t i = views_.size(); i < faces_.size(); ++i)
   {
-    Face& face = faces_[viewed_];
-    face.view = { places_[face.corner[0]], places_[face.corner[1]], places_[face.corner[2]] };
+    const auto [a, b, c] = faces_[i].corner;
+    views_.add({ places_[a], places_[b], places_[c], squares_[a] + squares_[b] + squares_[c] });
   }
 }
 
 // The face opposite to a corner.
-void VertexLink::addFace(const Tetrahedron& tet, int corner)
+inline void VertexLink::addFace(const Tetrahedron& tet, int corner)
 {
-  Face face;
-  face.beyond = tet.neighbour[corner];
-  for (int j = 0; j < 3; ++j)
-  {
-    face.corner[j] = localNumber(tet.vertex[FaceCorners[corner][j]]);
-  }
-  faces_.push_back(face);
+  ends_.makeRoom(3);
+  faces_.makeRoom(1);
+  const auto& f = FaceCorners[corner];
+  const int a = localNumber(tet.vertex[f[0]]);
+  const int b = localNumber(tet.vertex[f[1]]);
+  const int c = localNumber(tet.vertex[f[2]]);
+  faces_.add({ { a, b, c }, tet.neighbour[corner] });
 }
 
 double VertexLink::worst() const
 {
   double worst = std::numeric_limits<double>::infinity();
-  for (const Face& face : faces_)
+  for (const FaceView& view : views_.view())
   {
-    worst = std::min(worst, face.view.signedSquare({}, 0));
+    worst = std::min(worst, view.signedSquare({}, 0));
   }
   return signedRoot(worst);
 }
@@ -97,20 +98,19 @@ double VertexLink::worstFrom(int apex, double floor)
 {
   undoGrowth();
   const Vector3 place = places_[apex];
-  const double squareOfApex = dot(place, place);
   const double floorSquare = floor * std::fabs(floor);
   double worst = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < faces_.size(); ++i)
+  for (std::size_t i = 0; i < asked_.size(); ++i)
   {
-    const Face& face = faces_[i];
-    if (face.has(apex))
+    const std::size_t face = asked_[i];
+    if (faces_[face].has(apex))
     {
       continue;
     }
-    worst = std::min(worst, face.view.signedSquare(place, squareOfApex));
+    worst = std::min(worst, views_[face].signedSquare(place, squares_[apex]));
     if (!(worst > floorSquare))
     {
-      std::swap(faces_[i], faces_[i / 2]); // faces that refuse often are asked first
+      std::swap(asked_[i], asked_[i / 2]); // faces that refuse often are asked first
       return floor;
     }
   }
@@ -119,25 +119,36 @@ double VertexLink::worstFrom(int apex, double floor)
 
 bool VertexLink::allPositiveFrom(int apex) const
 {
+  double radius = 0; // of the ball, in one coordinate
+  for (const Vector3& place : places())
+  {
+    radius = std::max({ radius, std::fabs(place.x), std::fabs(place.y), std::fabs(place.z) });
+  }
+  // Places and volumes are rounded some tens of times, each by at most 2^-53 of the ball's extent.
+  constexpr double certain = 1e-12;
+  const double safe = certain * radius * radius * radius;
   const Vector3& q = mesh_.point(ends_[apex]);
-  return std::all_of(faces_.begin(), faces_.end(),
-    [&](const Face& face)
-    {
-      const auto& c = face.corner;
-      return face.has(apex) ||
-        isPositive(mesh_.point(ends_[c[0]]), mesh_.point(ends_[c[1]]), mesh_.point(ends_[c[2]]), q);
-    });
-}
-
-std::size_t VertexLink::countPoor(int apex, double floor) const
-{
-  const Vector3 place = places_[apex];
-  const double squareOfApex = dot(place, place);
-  const double floorSquare = floor * std::fabs(floor);
-  std::size_t count = 0;
   for (std::size_t i = 0; i < ball_.size(); ++i)
   {
-    count += !faces_[i].has(apex) && !(faces_[i].view.signedSquare(place, squareOfApex) > floorSquare);
+    const auto& c = faces_[i].corner;
+    if (!faces_[i].has(apex) && !(views_[i].sixVolume(places_[apex]) > safe) &&
+      !isPositive(mesh_.point(ends_[c[0]]), mesh_.point(ends_[c[1]]), mesh_.point(ends_[c[2]]), q))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::size_t VertexLink::countPoor(int apex, double floor, std::size_t most) const
+{
+  const Vector3 place = places_[apex];
+  const double squareOfApex = squares_[apex];
+  const double floorSquare = floor * std::fabs(floor);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ball_.size() && count < most; ++i)
+  {
+    count += !faces_[i].has(apex) && !views_[i].isAbove(floorSquare, place, squareOfApex);
   }
   return count;
 }
@@ -147,8 +158,8 @@ void VertexLink::undoGrowth()
   inGrown_.clear();
   grown_.clear();
   starred_.clear();
-  faces_.resize(ball_.size()); // one for each tetrahedron at v
-  viewed_ = faces_.size();
+  faces_.shrink(ball_.size()); // one for each tetrahedron at v
+  views_.shrink(ball_.size());
 }
 
 void VertexLink::growBeyond(HalfFace face)
@@ -170,7 +181,7 @@ double VertexLink::grow(int apex, double floor, std::size_t budget, const Bounda
 {
   undoGrowth();
   const Vector3 place = places_[apex];
-  const double squareOfApex = dot(place, place);
+  const double squareOfApex = squares_[apex];
   const double floorSquare = floor * std::fabs(floor);
   double worst = std::numeric_limits<double>::infinity();
   // They become more as the loop goes.
@@ -181,7 +192,7 @@ double VertexLink::grow(int apex, double floor, std::size_t budget, const Bounda
     {
       continue;
     }
-    const double square = faces_[i].view.signedSquare(place, squareOfApex);
+    const double square = views_[i].signedSquare(place, squareOfApex);
     if (square > floorSquare)
     {
       worst = std::min(worst, square);

@@ -6,6 +6,7 @@
 #include "Improvement/FaceView.h"
 #include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Scratch.h"
 
 #include <array>
 #include <span>
@@ -25,11 +26,11 @@ public:
   void turnTo(Index v);
 
   // The tetrahedra at v.
-  const std::vector<Index>& ball() const { return ball_; }
+  std::span<const Index> ball() const { return ball_.view(); }
   // The other ends of the edges at v, numbered locally.
-  std::span<const Index> ends() const { return { ends_.data(), endsAtV_ }; }
+  std::span<const Index> ends() const { return ends_.view().first(endsAtV_); }
   // By local number: the ends as seen from v.
-  std::span<const Vector3> places() const { return { places_.data(), endsAtV_ }; }
+  std::span<const Vector3> places() const { return places_.view().first(endsAtV_); }
 
   // The worst quality (Geometry/TetrahedronMeasures.h) in the ball as it is.
   double worst() const;
@@ -39,8 +40,8 @@ public:
   double worstFrom(int apex, double floor);
   // Whether all tetrahedra of that collapse are positive in exact arithmetic.
   bool allPositiveFrom(int apex) const;
-  // How many tetrahedra of that collapse would be no better than floor.
-  std::size_t countPoor(int apex, double floor) const;
+  // How many tetrahedra of that collapse would be no better than floor; gives up as soon as there are `most`.
+  std::size_t countPoor(int apex, double floor, std::size_t most) const;
 
   // The ball grows beyond every face that sees the apex no better than floor, by at most budget
   // tetrahedra; boundary faces that see it so are starred where the rules allow it. Gives the worst
@@ -55,7 +56,6 @@ private:
   {
     bool has(int end) const { return corner[0] == end || corner[1] == end || corner[2] == end; }
 
-    FaceView view;
     std::array<int, 3> corner; // local numbers
     HalfFace beyond;
   };
@@ -69,14 +69,25 @@ private:
   {
     return !isBoundary(h) && (inBall_.test(tetOf(h)) || inGrown_.test(tetOf(h)));
   }
-  int localNumber(Index end);
+  int localNumber(Index end)
+  {
+    const int number = numbers_.add(end);
+    if (number == static_cast<int>(ends_.size()))
+    {
+      ends_.add(end);
+      mesh_.fetchPointAhead(end);
+    }
+    return number;
+  }
 
   const TetMesh& mesh_;
-  std::vector<Index> ball_;
-  std::vector<Index> ends_;
-  std::vector<Vector3> places_;
-  std::vector<Face> faces_;
-  std::size_t viewed_ = 0; // faces_ whose view is made
+  Scratch<Index> ball_;
+  Scratch<Index> ends_;
+  Scratch<Vector3> places_;
+  Scratch<double> squares_; // of places_
+  Scratch<Face> faces_;
+  Scratch<FaceView> views_;        // of faces_
+  std::vector<std::size_t> asked_; // the ball's faces, those that refuse often first
   LocalMarks inBall_;
   LocalMarks inGrown_;
   LocalNumbers numbers_; // of vertices

@@ -3,6 +3,7 @@
 
 #include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Scratch.h"
 
 #include <vector>
 
@@ -25,5 +26,6 @@ public:
 private:
   const TetMesh& mesh_;
   LocalMarks seen_;
+  Scratch<Index> found_;
 };
 } // namespace ransmesh

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace ransmesh
 {
@@ -186,12 +187,17 @@ void VertexRemover::keepPromisingEnds(double floor, std::size_t enough)
   ranking_.clear();
   for (const int end : ends_)
   {
-    ranking_.emplace_back(link_.countPoor(end, floor), end);
+    const std::size_t most =
+      ranking_.size() < enough ? std::numeric_limits<std::size_t>::max() : ranking_.back().first;
+    const std::pair<std::size_t, int> entry{ link_.countPoor(end, floor, most), end };
+    if (entry.first < most)
+    {
+      ranking_.insert(std::upper_bound(ranking_.begin(), ranking_.end(), entry), entry);
+      ranking_.resize(std::min(enough, ranking_.size()));
+    }
   }
-  const std::size_t kept = std::min(enough, ranking_.size());
-  std::partial_sort(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ranking_.end());
-  ends_.resize(kept);
-  std::transform(ranking_.begin(), ranking_.begin() + static_cast<std::ptrdiff_t>(kept), ends_.begin(),
+  ends_.clear();
+  std::transform(ranking_.begin(), ranking_.end(), std::back_inserter(ends_),
     [](const auto& entry) { return entry.second; });
 }
 
@@ -254,7 +260,7 @@ RemovalVerdict VertexRemover::tryCavity(Index v, const Candidate& candidate, dou
   const std::size_t starredAtV = cavity_.starredFaces.size();
   const auto addTo = [](std::vector<Index>& all, const std::vector<Index>& more)
   { all.insert(all.end(), more.begin(), more.end()); };
-  cavity_.tets = link_.ball();
+  cavity_.tets.assign(link_.ball().begin(), link_.ball().end());
   addTo(cavity_.tets, link_.grownTets());
   addTo(cavity_.starredFaces, link_.grownStarred());
   RemovalVerdict verdict = RemovalVerdict::RemovedWithCavity;

@@ -70,7 +70,9 @@ TEST_F(VertexLinks, JudgeEveryCollapse)
       {
         EXPECT_NEAR(link.worstFrom(end, -10), expected, 1e-12);
         EXPECT_EQ(link.allPositiveFrom(end), expected > 0);
-        EXPECT_EQ(link.countPoor(end, 0.1) > 0, expected <= 0.1);
+        const std::size_t poor = link.countPoor(end, 0.1, link.ball().size());
+        EXPECT_EQ(poor > 0, expected <= 0.1);
+        EXPECT_EQ(link.countPoor(end, 0.1, poor), poor) << "gives up";
         EXPECT_DOUBLE_EQ(link.worstFrom(end, expected + 0.1), expected + 0.1) << "gives up";
         good += expected > 0.1;
       }

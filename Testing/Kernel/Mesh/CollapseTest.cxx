@@ -56,7 +56,7 @@ TEST(Collapse, DoesWhatTheStarDoes)
       const auto own = c.patchesAt(v);
       const auto others = c.patchesAt(u);
       TetMesh starred = mesh;
-      Cavity cavity{ link.ball(), {} };
+      Cavity cavity{ { link.ball().begin(), link.ball().end() }, {} };
       for (const Index t : link.ball())
       {
         for (int f = 0; f < 4; ++f)

@@ -1,0 +1,38 @@
+// Lists that are filled and emptied again and again in inner loops.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace ransmesh
+{
+// Room is made for several values at a time, so that adding one is a store and no more: a vector's push_back asks
+// each time, and what it would do then keeps compilers from inlining the loop around it.
+template <class T>
+class Scratch
+{
+public:
+  void clear() { count_ = 0; }
+  std::size_t size() const { return count_; }
+  // Makes room for so many more.
+  void makeRoom(std::size_t more)
+  {
+    if (count_ + more > values_.size())
+    {
+      values_.resize(2 * (count_ + more));
+    }
+  }
+  // There must be room.
+  void add(const T& value) { values_[count_++] = value; }
+  // Drops the last ones; there must be as many.
+  void shrink(std::size_t count) { count_ = count; }
+  T& operator[](std::size_t i) { return values_[i]; }
+  const T& operator[](std::size_t i) const { return values_[i]; }
+  std::span<const T> view() const { return { values_.data(), count_ }; }
+
+private:
+  std::vector<T> values_;
+  std::size_t count_ = 0;
+};
+} // namespace ransmesh
