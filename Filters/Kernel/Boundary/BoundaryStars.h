@@ -32,7 +32,9 @@ public:
   bool isOnBoundary(Index v) const { return start_[v] != start_[v + 1]; }
   // Of a live boundary face: unit, into the fluid.
   const Vector3& normalOf(Index face) const { return normals_[face]; }
-  // Its vertices as TetMesh::boundaryVertices gives them, turned so that v comes first.
+  // Its vertices as TetMesh::boundaryVertices gives them.
+  const std::array<Index, 3>& verticesOf(Index face) const { return vertices_[face]; }
+  // The same, turned so that v comes first.
   std::array<Index, 3> verticesFrom(Index v, Index face) const
   {
     const auto& w = vertices_[face];

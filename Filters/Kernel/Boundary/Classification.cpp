@@ -1,7 +1,5 @@
 #include "Boundary/Classification.h"
 
-#include "Boundary/BoundaryStars.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -54,13 +52,13 @@ void Ridges::remove(Index a, Index b)
 
 namespace
 {
-// The boundary faces at one vertex after the other, turned so that the vertex comes first.
+// The boundary faces at one vertex of the boundary after the other, turned so that the vertex comes first.
 class Fan
 {
 public:
-  explicit Fan(const TetMesh& mesh)
+  Fan(const TetMesh& mesh, const BoundaryStars& stars)
     : mesh_(mesh)
-    , stars_(mesh)
+    , stars_(stars)
   {
   }
 
@@ -73,8 +71,6 @@ public:
       faces_.push_back({ b, w[1], w[2] });
     }
   }
-
-  bool isEmpty() const { return faces_.empty(); }
 
   // The other ends of the edges at the vertex that are ridges, of those with higher numbers than the vertex.
   template <class Visit>
@@ -116,9 +112,15 @@ public:
 
   void collectPatches(std::vector<int>& patches) const
   {
+    int last = 0; // of no face
     for (const Face& face : faces_)
     {
-      patches.push_back(mesh_.boundaryFace(face.number).patch);
+      const int patch = mesh_.boundaryFace(face.number).patch;
+      if (patch != last)
+      {
+        patches.push_back(patch);
+        last = patch;
+      }
     }
   }
 
@@ -155,20 +157,13 @@ private:
   }
 
   const TetMesh& mesh_;
-  BoundaryStars stars_;
+  const BoundaryStars& stars_;
   std::vector<Face> faces_;
 };
 
-VertexKind kindOf(const TetMesh& mesh, const Ridges& ridges, const Fan& fan, Index v, double cosine)
+// Of a vertex of the boundary whose faces hang together.
+VertexKind kindOf(const TetMesh& mesh, const Ridges& ridges, Index v, double cosine)
 {
-  if (fan.isEmpty())
-  {
-    return VertexKind::Volume;
-  }
-  if (!fan.isOne())
-  {
-    return VertexKind::Corner;
-  }
   const auto ends = ridges.at(v);
   if (ends.empty())
   {
@@ -196,32 +191,46 @@ void addPatches(const Fan& fan, Classification& result)
   std::sort(result.patchIds.begin() + begin, result.patchIds.end());
   result.patchIds.erase(
     std::unique(result.patchIds.begin() + begin, result.patchIds.end()), result.patchIds.end());
-  result.patchStart.push_back(result.patchIds.size());
 }
 } // namespace
 
 Classification classify(const TetMesh& mesh, const PatchTable& patches, double featureAngle)
 {
+  return classify(mesh, BoundaryStars(mesh), patches, featureAngle);
+}
+
+Classification classify(
+  const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches, double featureAngle)
+{
   const double cosine = std::cos(featureAngle * std::numbers::pi / 180);
   const auto vertices = static_cast<Index>(mesh.vertexCount());
-  Fan fan(mesh);
+  Fan fan(mesh, stars);
   Classification result;
-  result.patchStart.assign(1, 0);
-  result.patchStart.reserve(mesh.vertexCount() + 1);
+  result.patchStart.assign(mesh.vertexCount() + 1, 0);
+  result.kind.assign(mesh.vertexCount(), VertexKind::Volume);
   for (Index v = 0; v < vertices; ++v)
   {
-    fan.turnTo(v);
-    fan.forEachRidge(v, cosine, [&](Index end) { result.ridges.add(v, end); });
-    addPatches(fan, result);
+    if (stars.isOnBoundary(v))
+    {
+      fan.turnTo(v);
+      fan.forEachRidge(v, cosine, [&](Index end) { result.ridges.add(v, end); });
+      addPatches(fan, result);
+      result.kind[v] = fan.isOne() ? VertexKind::Surface : VertexKind::Corner;
+    }
+    result.patchStart[v + 1] = result.patchIds.size();
   }
-  result.kind.resize(mesh.vertexCount());
   result.frozen.resize(mesh.vertexCount());
   for (Index v = 0; v < vertices; ++v)
   {
-    fan.turnTo(v);
-    result.kind[v] = kindOf(mesh, result.ridges, fan, v, cosine);
-    const auto own = result.patchesAt(v);
-    result.frozen[v] = std::any_of(own.begin(), own.end(), [&](int p) { return isInterface(patches, p); });
+    if (result.kind[v] == VertexKind::Surface) // as long as its ridges are not known
+    {
+      result.kind[v] = kindOf(mesh, result.ridges, v, cosine);
+    }
+    if (stars.isOnBoundary(v))
+    {
+      const auto own = result.patchesAt(v);
+      result.frozen[v] = std::any_of(own.begin(), own.end(), [&](int p) { return isInterface(patches, p); });
+    }
   }
   return result;
 }

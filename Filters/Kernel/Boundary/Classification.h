@@ -2,6 +2,7 @@
 // ridge, or a corner; and the edges that make up the ridges.
 #pragma once
 
+#include "Boundary/BoundaryStars.h"
 #include "Mesh/TetMesh.h"
 #include "Support/Patch.h"
 
@@ -67,4 +68,7 @@ struct Classification
 // not exactly two boundary faces. Time is linear in the size of the mesh.
 Classification classify(
   const TetMesh& mesh, const PatchTable& patches, double featureAngle = defaults::featureAngle);
+// The same for those who need the boundary's stars for more than this.
+Classification classify(const TetMesh& mesh, const BoundaryStars& stars, const PatchTable& patches,
+  double featureAngle = defaults::featureAngle);
 } // namespace ransmesh

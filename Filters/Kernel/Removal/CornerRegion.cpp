@@ -38,9 +38,10 @@ struct Triangle
 class CornerSearch
 {
 public:
-  CornerSearch(const TetMesh& mesh, const Classification& classification, const std::vector<char>& changeable,
-    const LayerPlan& plan, double margin)
+  CornerSearch(const TetMesh& mesh, const BoundaryStars& stars, const Classification& classification,
+    const std::vector<char>& changeable, const LayerPlan& plan, double margin)
     : mesh_(mesh)
+    , stars_(stars)
     , classification_(classification)
     , changeable_(changeable)
     , plan_(plan)
@@ -57,15 +58,14 @@ public:
     collectRidges();
     if (!ridges_.empty())
     {
-      const BoundaryStars stars(mesh_);
       found_.clear(mesh_.vertexCount());
       for (std::size_t i = 0; i + 1 < ridges_.size(); ++i)
       {
         const bool pair = ridges_[i].low == ridges_[i + 1].low && ridges_[i].high == ridges_[i + 1].high;
         if (pair)
         {
-          lookFrom(ridges_[i], ridges_[i + 1], stars);
-          lookFrom(ridges_[i + 1], ridges_[i], stars);
+          lookFrom(ridges_[i], ridges_[i + 1]);
+          lookFrom(ridges_[i + 1], ridges_[i]);
         }
       }
     }
@@ -81,21 +81,24 @@ private:
   // The ridge edges of the walls' triangles, those of one edge side by side.
   void collectRidges()
   {
-    for (std::size_t i = 0; i < mesh_.boundarySlots(); ++i)
+    for (std::size_t i = 0; i < mesh_.vertexCount(); ++i)
     {
-      const auto b = static_cast<Index>(i);
-      if (!mesh_.boundaryFace(b).isAlive() || !isLayered(mesh_.boundaryFace(b).patch))
+      const auto low = static_cast<Index>(i);
+      const auto ends = classification_.ridges.at(low);
+      if (ends.empty())
       {
         continue;
       }
-      const auto v = mesh_.boundaryVertices(b);
-      for (int j = 0; j < 3; ++j)
+      for (const Index b : stars_.facesAt(low))
       {
-        const Index from = v[j];
-        const Index to = v[(j + 1) % 3];
-        if (classification_.ridges.has(from, to))
+        const auto v = stars_.verticesFrom(low, b);
+        for (const Index high : { v[1], v[2] })
         {
-          ridges_.push_back({ std::min(from, to), std::max(from, to), b });
+          if (high > low && isLayered(mesh_.boundaryFace(b).patch) &&
+            std::find(ends.begin(), ends.end(), high) != ends.end())
+          {
+            ridges_.push_back({ low, high, b });
+          }
         }
       }
     }
@@ -115,7 +118,7 @@ private:
   }
 
   // Looks over the wall of here, from the ridge outward, as far as the layers of there reach.
-  void lookFrom(const RidgeSide& here, const RidgeSide& there, const BoundaryStars& stars)
+  void lookFrom(const RidgeSide& here, const RidgeSide& there)
   {
     const Triangle on = triangle(here.face);
     const Triangle other = triangle(there.face);
@@ -136,7 +139,7 @@ private:
         turn < leastTensorTurn ? std::tan(turn / 2 / DegreesOfRadian) : 1 / std::sin(turn / DegreesOfRadian);
       reach_ = (thickness + beyond) * way;
       followRidge(here);
-      flood(here, stars);
+      flood(here);
     }
   }
 
@@ -167,7 +170,7 @@ private:
   }
 
   // Over the triangles of the wall that have a point within reach, not beyond its ridges.
-  void flood(const RidgeSide& edge, const BoundaryStars& stars)
+  void flood(const RidgeSide& edge)
   {
     seen_.clear(mesh_.boundarySlots());
     seen_.set(edge.face);
@@ -183,15 +186,15 @@ private:
         const bool near = offer(from, edge, faces_[i]);
         if ((near || distanceTo(edge, to) <= reach_) && !classification_.ridges.has(from, to))
         {
-          goBeyond(from, to, stars);
+          goBeyond(from, to);
         }
       }
     }
   }
 
-  void goBeyond(Index from, Index to, const BoundaryStars& stars)
+  void goBeyond(Index from, Index to)
   {
-    for (const Index b : stars.facesAt(from))
+    for (const Index b : stars_.facesAt(from))
     {
       const auto v = mesh_.boundaryVertices(b);
       if ((v[0] == to || v[1] == to || v[2] == to) && seen_.set(b))
@@ -225,6 +228,7 @@ private:
   }
 
   const TetMesh& mesh_;
+  const BoundaryStars& stars_;
   const Classification& classification_;
   const std::vector<char>& changeable_;
   const LayerPlan& plan_;
@@ -240,9 +244,10 @@ private:
 };
 } // namespace
 
-std::vector<CornerPoint> findCornerPoints(const TetMesh& mesh, const Classification& classification,
-  const std::vector<char>& changeable, const LayerPlan& plan, double margin)
+std::vector<CornerPoint> findCornerPoints(const TetMesh& mesh, const BoundaryStars& stars,
+  const Classification& classification, const std::vector<char>& changeable, const LayerPlan& plan,
+  double margin)
 {
-  return CornerSearch(mesh, classification, changeable, plan, margin).run();
+  return CornerSearch(mesh, stars, classification, changeable, plan, margin).run();
 }
 } // namespace ransmesh

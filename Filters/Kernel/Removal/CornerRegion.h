@@ -22,6 +22,7 @@ struct CornerPoint
 // less, by the square of their share of it. Finds those that do: points on the walls'
 // surfaces, and on ridges where they run into another wall. Frozen points and corners never are among them.
 // changeable: by patch, whether a point on a ridge of that patch and a wall may go. Each point once.
-std::vector<CornerPoint> findCornerPoints(const TetMesh& mesh, const Classification& classification,
-  const std::vector<char>& changeable, const LayerPlan& plan, double margin);
+std::vector<CornerPoint> findCornerPoints(const TetMesh& mesh, const BoundaryStars& stars,
+  const Classification& classification, const std::vector<char>& changeable, const LayerPlan& plan,
+  double margin);
 } // namespace ransmesh

@@ -6,6 +6,7 @@
 #include "Removal/WallReach.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <utility>
 
@@ -39,17 +40,29 @@ public:
     , walls_(walls)
     , traversal_(mesh)
     , triangle_(mesh.vertexCount(), None)
-    , isInside_(mesh.vertexCount(), 0)
+    , place_(mesh.vertexCount(), Outside)
   {
+    for (std::size_t v = 0; v < place_.size(); ++v)
+    {
+      place_[v] = walls.isWall(static_cast<Index>(v)) ? OfWall : Outside;
+    }
   }
 
   void run()
   {
     startFromWalls();
-    // They become more as the loop goes.
-    for (std::size_t i = 0; i < inside_.size(); ++i) // NOLINT(modernize-loop-convert)
+    // Where many are inside, one more look at all tetrahedra is quicker than a walk around each.
+    constexpr std::size_t many = 100; // tetrahedra to a vertex inside
+    std::size_t next = 0;
+    if (mesh_.tetSlots() < many * inside_.size())
     {
-      passOn(inside_[i]);
+      next = inside_.size();
+      entering_ = Later;
+      forEachTouching(Inside, [this](Index from, Index v) { offer(v, triangle_[from]); });
+    }
+    for (; next < inside_.size(); ++next) // they become more as the loop goes
+    {
+      passOn(inside_[next]);
     }
   }
 
@@ -59,51 +72,83 @@ public:
   double attainableQuality(Index v) const { return walls_.attainableQuality(triangle_[v]); }
 
 private:
+  enum Place : char // bits, so that those of a tetrahedron are soon together
+  {
+    Outside = 1,
+    Inside = 2, // found from the walls, or all that are
+    OfWall = 4,
+    Later =
+      8 // inside, found from others: not from the first of these on, as they are not the nearest to the wall
+  };
+
   // The neighbours of the walls' vertices. One look at all tetrahedra in their order is quicker than a
   // walk around each vertex.
   void startFromWalls()
   {
+    forEachTouching(OfWall, [this](Index w, Index v) { offerTrianglesAt(w, v); });
+  }
+
+  // All pairs of neighbours of which the one is there and the other one is still outside.
+  template <class Visit>
+  void forEachTouching(Place there, Visit visit)
+  {
     for (std::size_t t = 0; t < mesh_.tetSlots(); ++t)
     {
       const Tetrahedron& tet = mesh_.tet(static_cast<Index>(t));
-      if (!tet.isAlive() || !walls_.isAtWall(tet))
+      if (!tet.isAlive())
       {
         continue;
       }
-      for (const Index w : tet.vertex)
+      const auto& v = tet.vertex;
+      const int places = place_[v[0]] | place_[v[1]] | place_[v[2]] | place_[v[3]];
+      if ((places & (there | Outside)) == (there | Outside))
       {
-        if (walls_.isWall(w))
+        visitTouching(tet, there, visit);
+      }
+    }
+  }
+
+  template <class Visit>
+  void visitTouching(const Tetrahedron& tet, Place there, Visit visit)
+  {
+    unsigned from = 0; // bit i for corner i
+    for (int i = 0; i < 4; ++i)
+    {
+      from |= static_cast<unsigned>(place_[tet.vertex[i]] == there) << i;
+    }
+    for (; from != 0; from &= from - 1)
+    {
+      const Index one = tet.vertex[std::countr_zero(from)];
+      for (const Index other : tet.vertex)
+      {
+        if (place_[other] == Outside && offered_.isNew(one, other))
         {
-          offerTrianglesAt(w, tet);
+          visit(one, other);
         }
       }
     }
   }
 
-  void offerTrianglesAt(Index w, const Tetrahedron& tet)
+  void offerTrianglesAt(Index w, Index v)
   {
-    for (const Index v : tet.vertex)
+    // The ceiling leaves out most, without a look at each of the triangles.
+    if (walls_.ceilingOver(w).isBelow(mesh_.point(v)))
     {
-      // The ceiling leaves out most, without a look at each of the triangles.
-      if (walls_.isWall(v) || isInside_[v] || !offered_.isNew(w, v) ||
-        walls_.ceilingOver(w).isBelow(mesh_.point(v)))
-      {
-        continue;
-      }
-      const auto& around = walls_.at(w);
-      const auto found = std::find_if(around.begin(), around.end(),
-        [&](Index triangle) { return walls_.reaches(mesh_.point(v), triangle); });
-      if (found != around.end())
-      {
-        enter(v, *found);
-      }
+      return;
+    }
+    const auto around = walls_.at(w);
+    const auto found = std::find_if(
+      around.begin(), around.end(), [&](Index triangle) { return walls_.reaches(mesh_.point(v), triangle); });
+    if (found != around.end())
+    {
+      enter(v, *found);
     }
   }
 
   void enter(Index v, Index triangle)
   {
     triangle_[v] = triangle;
-    isInside_[v] = 1;
+    place_[v] = entering_;
     inside_.push_back(v);
   }
 
@@ -116,7 +161,7 @@ private:
     {
       for (const Index v : mesh_.tet(t).vertex)
       {
-        if (!isInside_[v] && !walls_.isWall(v) && offeredNow_.set(v))
+        if (place_[v] == Outside && offeredNow_.set(v))
         {
           offer(v, triangle);
         }
@@ -131,6 +176,10 @@ private:
     {
       enter(v, triangle);
       return;
+    }
+    if (walls_.isFarOver(mesh_.point(v), triangle))
+    {
+      return; // those around will hardly reach it either
     }
     const Index nearest = walls_.approach(mesh_.point(v), triangle);
     if (nearest == triangle_[v])
@@ -152,7 +201,8 @@ private:
   LocalMarks offeredNow_;
   RecentPairs offered_;
   std::vector<Index> triangle_; // by vertex: one that reaches it; or else the last one looked at
-  std::vector<char> isInside_;
+  std::vector<char> place_;     // by vertex: a Place
+  Place entering_ = Inside;     // what becomes of those found now
   std::vector<Index> inside_;
 };
 
@@ -167,10 +217,11 @@ bool mayGo(const Classification& classification, const std::vector<char>& change
 }
 } // namespace
 
-LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classification,
-  const std::vector<char>& changeable, const LayerPlan& plan, double margin)
+LayerRegion findLayerRegion(const TetMesh& mesh, const BoundaryStars& stars,
+  const Classification& classification, const std::vector<char>& changeable, const LayerPlan& plan,
+  double margin)
 {
-  const WallReach walls(mesh, plan, margin);
+  const WallReach walls(mesh, stars, plan, margin);
   Advance advance(mesh, walls);
   advance.run();
   LayerRegion region;

@@ -29,6 +29,7 @@ struct LayerRegion
 // Marks what lies within the layers' thickness, limited by the local size, plus margin * size of a wall.
 // Advances from the walls by layers of elements (section 6 of the paper), so that its cost is that of
 // the region alone. The size is that of the wall's triangles.
-LayerRegion findLayerRegion(const TetMesh& mesh, const Classification& classification,
-  const std::vector<char>& changeable, const LayerPlan& plan, double margin);
+LayerRegion findLayerRegion(const TetMesh& mesh, const BoundaryStars& stars,
+  const Classification& classification, const std::vector<char>& changeable, const LayerPlan& plan,
+  double margin);
 } // namespace ransmesh

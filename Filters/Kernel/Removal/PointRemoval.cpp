@@ -2,9 +2,9 @@
 
 #include "Geometry/Angles.h"
 #include "Geometry/SpatialOrder.h"
-#include "Improvement/LocalImprovement.h"
 #include "Layers/LayerPlanning.h"
 #include "Removal/CornerRegion.h"
+#include "Removal/PoorMending.h"
 #include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
 
@@ -40,7 +40,6 @@ constexpr RemovalLimits Passes[] = {
 constexpr int LooseningFrom = 5; // pass
 constexpr int DrivingFrom = 7;
 constexpr int PatienceWithSurfaces = 2; // refusals by the surface, once passes are the same for these
-constexpr double Poor = 0.12;           // quality below which swaps are tried
 constexpr double WallAngleAtLast = 155; // degrees, of a wall's triangles
 constexpr int PassCount = static_cast<int>(std::size(Passes));
 
@@ -56,9 +55,8 @@ public:
     , surfaces_(mesh)
     , ridges_(mesh)
     , remover_(mesh, rules, region, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_, ridges_)
-    , improvement_(mesh, rules)
+    , mending_(mesh, rules)
     , valence_(mesh, rules, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_)
-    , traversal_(mesh)
   {
   }
 
@@ -82,7 +80,8 @@ public:
     {
       improveWalls(result);
       separateRidges(result);
-      improve(result);
+      mending_.begin();
+      result.swaps += mending_.mendAll();
     }
     std::copy_if(givenUp_.begin(), givenUp_.end(), std::back_inserter(left),
       [this](Index v) { return region_.isMarked[v] != 0; }); // others may have taken them along
@@ -182,12 +181,12 @@ private:
     }
     for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(); ++cut)
     {
-      notePoor(valence_.made());
+      mending_.note(valence_.made(), PoorQuality);
       verdict = remover_.remove(v, plain);
     }
-    if (!region_.isMarked[v] && remover_.worstMade() < Poor)
+    if (!region_.isMarked[v])
     {
-      notePoor(remover_.made());
+      mending_.note(remover_.made(), remover_.worstMade() < PoorQuality ? PoorQuality : 0);
     }
     if (!region_.isMarked[v] && onWall)
     {
@@ -210,19 +209,13 @@ private:
     }
   }
 
-  void notePoor(const std::vector<Index>& made)
-  {
-    std::copy_if(made.begin(), made.end(), std::back_inserter(poor_),
-      [this](Index t) { return qualityOf(mesh_, t) < Poor; });
-  }
-
   // Moves v to where it would best be collapsed to, as far as it comes.
   bool driveToApex(Index v, int pass)
   {
     constexpr double share = 0.2; // of the pass's limit: swaps mend it, or the next collapse
     const RemovalLimits limits = limitsAt(v, pass);
     const Index apex = remover_.nearestApex(v, limits);
-    return improvement_.moveTowards(v, mesh_.point(apex), share * limits.quality);
+    return mending_.moveTowards(v, mesh_.point(apex), share * limits.quality);
   }
 
   // Changes the surroundings of the points that would not go.
@@ -230,20 +223,11 @@ private:
   {
     constexpr double keep = 0.5;
     const bool drive = pass >= DrivingFrom;
-    improvement_.noteChanges();
+    mending_.begin();
     for (const Index v : left)
     {
-      result.movements += drive ? driveToApex(v, pass) : improvement_.move(v, keep);
-      traversal_.ball(v, ball_);
-      for (const Index t : ball_)
-      {
-        if (mesh_.tet(t).isAlive() && mesh_.tet(t).has(v) && qualityOf(mesh_, t) < Poor &&
-          improvement_.swap(t))
-        {
-          ++result.swaps;
-          notePoor(improvement_.made());
-        }
-      }
+      result.movements += drive ? driveToApex(v, pass) : mending_.move(v, keep);
+      result.swaps += mending_.swapAround(v, PoorQuality);
     }
   }
 
@@ -261,7 +245,7 @@ private:
         if (mesh_.boundaryFace(face).isAlive() && turnLongestEdge(face, limits))
         {
           ++result.swaps;
-          notePoor(valence_.made());
+          mending_.note(valence_.made(), PoorQuality);
         }
       }
     }
@@ -283,7 +267,7 @@ private:
           valence_.swapOnWall(from, to, limits, {}))
         {
           ++result.swaps;
-          notePoor(valence_.made());
+          mending_.note(valence_.made(), PoorQuality);
           break;
         }
       }
@@ -302,28 +286,6 @@ private:
     return largestAngle(a, b, c) > large && valence_.swapOnWall(v[(j + 1) % 3], v[(j + 2) % 3], limits, {});
   }
 
-  // Swaps away the poor tetrahedra that removal made, and those that the swaps made of them.
-  void improve(RemovalResult& result)
-  {
-    constexpr int rounds = 3;
-    std::sort(poor_.begin(), poor_.end());
-    poor_.erase(std::unique(poor_.begin(), poor_.end()), poor_.end());
-    improvement_.noteChanges();
-    for (int round = 0; round < rounds && !poor_.empty(); ++round)
-    {
-      std::vector<Index> next;
-      for (const Index t : poor_)
-      {
-        if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < Poor && improvement_.swap(t))
-        {
-          ++result.swaps;
-          next.insert(next.end(), improvement_.made().begin(), improvement_.made().end());
-        }
-      }
-      poor_.swap(next);
-    }
-  }
-
   TetMesh& mesh_;
   BoundaryRules& rules_;
   LayerRegion& region_;
@@ -331,12 +293,9 @@ private:
   SurfaceMemory surfaces_;
   SurfaceMemory ridges_;
   VertexRemover remover_;
-  LocalImprovement improvement_;
+  PoorMending mending_;
   ValenceReduction valence_;
-  Traversal traversal_;
-  std::vector<Index> ball_;
   std::vector<Index> wallFaces_;                    // made by removal of points of walls
-  std::vector<Index> poor_;                         // tetrahedra that were poor when they were made
   std::unordered_map<Index, int> refusedBySurface_; // how often, of the points left
   std::vector<Index> givenUp_;
   double progress_ = 0;
@@ -388,10 +347,12 @@ RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const Layer
     return result;
   }
   context.report(0, "marking points");
-  BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
-  LayerRegion region = findLayerRegion(mesh, rules.classification, rules.changeable, plan, options.margin);
+  const BoundaryStars stars(mesh);
+  BoundaryRules rules{ classify(mesh, stars, patches), changeablePatches(patches, plan) };
+  LayerRegion region =
+    findLayerRegion(mesh, stars, rules.classification, rules.changeable, plan, options.margin);
   const std::vector<CornerPoint> corners =
-    findCornerPoints(mesh, rules.classification, rules.changeable, plan, options.cornerMargin);
+    findCornerPoints(mesh, stars, rules.classification, rules.changeable, plan, options.cornerMargin);
   addCornerPoints(corners, mesh, region);
   result.markedOnWalls = corners.size();
   if (region.marked.empty())

@@ -4,6 +4,7 @@
 #include "Geometry/TetrahedronMeasures.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace ransmesh
@@ -23,21 +24,22 @@ double limitedThickness(const LayerHeights& heights, double isotropicFraction, d
   return heights.height(levelsOfIsotropicSize(heights, isotropicFraction, size));
 }
 
-WallReach::WallReach(const TetMesh& mesh, const LayerPlan& plan, double margin)
+WallReach::WallReach(const TetMesh& mesh, const BoundaryStars& stars, const LayerPlan& plan, double margin)
   : mesh_(mesh)
+  , stars_(stars)
 {
   collect(plan);
-  linkToVertices();
+  findSizes();
   findReaches(plan, margin);
   findCeilings();
 }
 
 double WallReach::attainableQuality(Index t) const
 {
-  const WallTriangle& w = triangles_[t];
-  const Vector3& a = mesh_.point(w.vertex[0]);
-  const Vector3& b = mesh_.point(w.vertex[1]);
-  const Vector3& c = mesh_.point(w.vertex[2]);
+  const auto& v = stars_.verticesOf(t);
+  const Vector3& a = mesh_.point(v[0]);
+  const Vector3& b = mesh_.point(v[1]);
+  const Vector3& c = mesh_.point(v[2]);
   const Vector3 top = bounds_[t].centre + bounds_[t].reach * bounds_[t].normal;
   return std::clamp(quality(a, b, c, top), 0.0, 1.0);
 }
@@ -48,7 +50,7 @@ Index WallReach::approach(const Vector3& p, Index t) const
   for (Index from = None; from != t;)
   {
     from = t;
-    for (const Index v : triangles_[from].vertex)
+    for (const Index v : stars_.verticesOf(from))
     {
       for (const Index other : at(v))
       {
@@ -67,7 +69,7 @@ Index WallReach::reachingAround(const Vector3& p, Index t) const
   {
     return t;
   }
-  for (const Index v : triangles_[t].vertex)
+  for (const Index v : stars_.verticesOf(t))
   {
     for (const Index other : at(v))
     {
@@ -82,72 +84,60 @@ Index WallReach::reachingAround(const Vector3& p, Index t) const
 
 bool WallReach::isNear(const Vector3& p, Index t) const
 {
-  const auto& v = triangles_[t].vertex;
+  const auto& v = stars_.verticesOf(t);
   return distanceToTriangle(p, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2])) <= bounds_[t].reach;
 }
 
 void WallReach::collect(const LayerPlan& plan)
 {
+  bounds_.resize(mesh_.boundarySlots());
+  perimeter_.resize(mesh_.boundarySlots());
+  wallNumber_.assign(mesh_.vertexCount(), None);
   for (std::size_t b = 0; b < mesh_.boundarySlots(); ++b)
   {
     const BoundaryFace& face = mesh_.boundaryFace(static_cast<Index>(b));
     const auto patch = static_cast<std::size_t>(face.patch);
     if (face.isAlive() && patch < plan.size() && plan[patch].hasLayers())
     {
-      const auto v = mesh_.boundaryVertices(static_cast<Index>(b));
-      triangles_.push_back({ v, face.patch, addBounds(v) });
+      addBounds(static_cast<Index>(b));
     }
   }
 }
 
-// Gives the perimeter.
-double WallReach::addBounds(const std::array<Index, 3>& v)
+void WallReach::addBounds(Index face)
 {
+  const auto& v = stars_.verticesOf(face);
   const Vector3& a = mesh_.point(v[0]);
   const Vector3& b = mesh_.point(v[1]);
   const Vector3& c = mesh_.point(v[2]);
   const Vector3 centre = (1.0 / 3) * (a + b + c);
-  const double radius = std::max({ distance(centre, a), distance(centre, b), distance(centre, c) });
-  bounds_.push_back({ centre, radius, normalized(cross(b - a, c - a)), 0 });
-  return distance(a, b) + distance(b, c) + distance(c, a);
-}
-
-void WallReach::linkToVertices()
-{
-  first_.assign(mesh_.vertexCount() + 1, 0);
-  for (const WallTriangle& t : triangles_)
+  const double radius =
+    std::sqrt(std::max({ squareOf(centre - a), squareOf(centre - b), squareOf(centre - c) }));
+  bounds_[face] = { centre, radius, stars_.normalOf(face), 0 };
+  perimeter_[face] = distance(a, b) + distance(b, c) + distance(c, a);
+  for (const Index w : v)
   {
-    for (const Index v : t.vertex)
+    if (wallNumber_[w] == None)
     {
-      ++first_[v + 1];
-    }
-  }
-  isWall_.resize(mesh_.vertexCount());
-  for (std::size_t v = 1; v < first_.size(); ++v)
-  {
-    isWall_[v - 1] = first_[v] != 0;
-    first_[v] += first_[v - 1];
-  }
-  triangleAt_.resize(3 * triangles_.size());
-  std::vector<Index> next(first_.begin(), first_.end() - 1);
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-  {
-    for (const Index v : triangles_[t].vertex)
-    {
-      triangleAt_[next[v]++] = static_cast<Index>(t);
+      wallNumber_[w] = static_cast<Index>(walls_.size());
+      walls_.push_back(w);
     }
   }
 }
 
-// The mean edge of the wall triangles at v.
-double WallReach::sizeAt(Index v) const
+void WallReach::findSizes()
 {
-  double sum = 0;
-  for (const Index t : at(v))
+  for (const Index v : walls_)
   {
-    sum += triangles_[t].perimeter;
+    double sum = 0;
+    int count = 0;
+    for (const Index t : at(v))
+    {
+      sum += isLayered(t) ? perimeter_[t] : 0;
+      count += isLayered(t);
+    }
+    size_.push_back(sum / (3 * count));
   }
-  return sum / (3 * (first_[v + 1] - first_[v]));
 }
 
 void WallReach::findReaches(const LayerPlan& plan, double margin)
@@ -157,16 +147,23 @@ void WallReach::findReaches(const LayerPlan& plan, double margin)
   {
     heights.emplace_back(s);
   }
-  std::vector<double> sizes(mesh_.vertexCount(), 0);
-  for (std::size_t v = 0; v < sizes.size(); ++v)
+  // By patch: a size that leaves all levels, and so does any larger one.
+  std::vector<double> leavesAll(plan.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < bounds_.size(); ++i)
   {
-    sizes[v] = isWall(static_cast<Index>(v)) ? sizeAt(static_cast<Index>(v)) : 0;
-  }
-  for (std::size_t i = 0; i < triangles_.size(); ++i)
-  {
-    const WallTriangle& t = triangles_[i];
-    const double size = std::max({ sizes[t.vertex[0]], sizes[t.vertex[1]], sizes[t.vertex[2]] });
-    const double thickness = limitedThickness(heights[t.patch], plan[t.patch].isotropicFraction, size);
+    const auto face = static_cast<Index>(i);
+    if (!isLayered(face))
+    {
+      continue;
+    }
+    const auto& v = stars_.verticesOf(face);
+    const int patch = mesh_.boundaryFace(face).patch;
+    const double size = std::max({ sizeAt(v[0]), sizeAt(v[1]), sizeAt(v[2]) });
+    const double thickness = size >= leavesAll[patch]
+      ? heights[patch].thickness()
+      : limitedThickness(heights[patch], plan[patch].isotropicFraction, size);
+    leavesAll[patch] =
+      thickness == heights[patch].thickness() ? std::min(size, leavesAll[patch]) : leavesAll[patch];
     bounds_[i].reach = thickness > 0 ? thickness + margin * size : 0;
     bounds_[i].radius += bounds_[i].reach;
   }
@@ -174,15 +171,9 @@ void WallReach::findReaches(const LayerPlan& plan, double margin)
 
 void WallReach::findCeilings()
 {
-  ceiling_.resize(mesh_.vertexCount());
-  for (std::size_t i = 0; i < ceiling_.size(); ++i)
-  {
-    const auto v = static_cast<Index>(i);
-    if (isWall(v))
-    {
-      ceiling_[i] = findCeiling(v);
-    }
-  }
+  ceiling_.reserve(walls_.size());
+  std::transform(
+    walls_.begin(), walls_.end(), std::back_inserter(ceiling_), [this](Index v) { return findCeiling(v); });
 }
 
 WallReach::Ceiling WallReach::findCeiling(Index v) const
@@ -190,13 +181,13 @@ WallReach::Ceiling WallReach::findCeiling(Index v) const
   Ceiling ceiling;
   for (const Index t : at(v))
   {
-    ceiling.normal += bounds_[t].normal;
+    ceiling.normal += isLayered(t) ? bounds_[t].normal : Vector3{};
   }
   ceiling.normal = normalized(ceiling.normal);
   ceiling.height = -std::numeric_limits<double>::infinity();
   for (const Index t : at(v))
   {
-    for (const Index corner : triangles_[t].vertex)
+    for (const Index corner : stars_.verticesOf(t))
     {
       const double height = dot(mesh_.point(corner), ceiling.normal) + (1 + rounding) * bounds_[t].reach;
       ceiling.height = std::max(ceiling.height, height);

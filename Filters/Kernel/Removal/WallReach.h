@@ -1,10 +1,12 @@
 // How far the layers reach above the walls' triangles.
 #pragma once
 
+#include "Boundary/BoundaryStars.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/TetMesh.h"
 
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,25 +30,12 @@ public:
     double height = 0;
   };
 
-  WallReach(const TetMesh& mesh, const LayerPlan& plan, double margin);
+  WallReach(const TetMesh& mesh, const BoundaryStars& stars, const LayerPlan& plan, double margin);
 
-  bool isWall(Index v) const { return isWall_[v] != 0; }
-  // Has the tetrahedron vertices of walls and others? Without branches: whether one is of a wall is a toss.
-  bool isAtWall(const Tetrahedron& tet) const
-  {
-    int ofWalls = 0;
-    for (const Index v : tet.vertex)
-    {
-      ofWalls += isWall_[v];
-    }
-    return ofWalls != 0 && ofWalls != 4;
-  }
-  // The triangles at a vertex of the walls.
-  std::span<const Index> at(Index v) const
-  {
-    return { triangleAt_.data() + first_[v], triangleAt_.data() + first_[v + 1] };
-  }
-  const Ceiling& ceilingOver(Index v) const { return ceiling_[v]; }
+  bool isWall(Index v) const { return wallNumber_[v] != None; }
+  // The boundary faces at a vertex of the walls: those without layers reach nothing, and are near to nothing.
+  std::span<const Index> at(Index v) const { return stars_.facesAt(v); }
+  const Ceiling& ceilingOver(Index v) const { return ceiling_[wallNumber_[v]]; }
   double reach(Index t) const { return bounds_[t].reach; }
 
   // The quality of the tetrahedron from triangle t to the end of its reach.
@@ -61,6 +50,13 @@ public:
       dot(offset, offset) <= bounds.radius * bounds.radius && isNear(p, t);
   }
 
+  // Whether p lies over the plane of triangle t by more than twice its reach.
+  bool isFarOver(const Vector3& p, Index t) const
+  {
+    constexpr double far = 2;
+    return std::fabs(dot(p - bounds_[t].centre, bounds_[t].normal)) > far * bounds_[t].reach;
+  }
+
   // Walks over the wall from triangle t to one whose centre is closer to p than those around it.
   Index approach(const Vector3& p, Index t) const;
 
@@ -68,38 +64,35 @@ public:
   Index reachingAround(const Vector3& p, Index t) const;
 
 private:
-  struct WallTriangle
-  {
-    std::array<Index, 3> vertex;
-    int patch;
-    double perimeter;
-  };
+  static constexpr double Nowhere = std::numeric_limits<double>::infinity();
 
   // For quick bounds, all in one line of the cache: a sphere that holds a triangle, grown by the triangle's reach, and
-  // its plane.
+  // its plane. Where there are no layers, nowhere.
   struct alignas(64) Bounds
   {
-    Vector3 centre;
-    double radius;
+    Vector3 centre{ Nowhere, Nowhere, Nowhere };
+    double radius = -1;
     Vector3 normal; // unit, or zero
-    double reach;
+    double reach = -1;
   };
 
+  bool isLayered(Index face) const { return bounds_[face].radius >= 0; }
   bool isNear(const Vector3& p, Index t) const;
   void collect(const LayerPlan& plan);
-  double addBounds(const std::array<Index, 3>& v);
-  void linkToVertices();
-  double sizeAt(Index v) const;
+  void addBounds(Index face);
+  void findSizes();
+  double sizeAt(Index v) const { return size_[wallNumber_[v]]; }
   void findReaches(const LayerPlan& plan, double margin);
   void findCeilings();
   Ceiling findCeiling(Index v) const;
 
   const TetMesh& mesh_;
-  std::vector<WallTriangle> triangles_;
-  std::vector<Bounds> bounds_; // of triangles_
-  std::vector<Index> first_;   // by vertex: its triangles are triangleAt_[first_[v]] up to first_[v + 1]
-  std::vector<Index> triangleAt_;
-  std::vector<Ceiling> ceiling_; // by vertex
-  std::vector<char> isWall_;     // by vertex; small, so that it stays in the cache
+  const BoundaryStars& stars_;
+  std::vector<Bounds> bounds_;    // by boundary face; those without layers have a negative radius
+  std::vector<double> perimeter_; // by boundary face
+  std::vector<Index> wallNumber_; // by vertex: its number among those of walls, or None
+  std::vector<Index> walls_;      // these
+  std::vector<double> size_;      // by their number: the mean edge of the walls' triangles there
+  std::vector<Ceiling> ceiling_;  // by their number
 };
 } // namespace ransmesh

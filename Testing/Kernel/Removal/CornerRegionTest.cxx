@@ -35,8 +35,8 @@ Found find(const LayerPlan& plan, const std::function<Vector3(const Vector3&)>& 
   {
     patches[p].type = PatchType::Interface;
   }
-  const auto points = findCornerPoints(
-    found.mesh, classify(found.mesh, patches), changeablePatches(patches, plan), plan, NoMargin);
+  const auto points = findCornerPoints(found.mesh, BoundaryStars(found.mesh), classify(found.mesh, patches),
+    changeablePatches(patches, plan), plan, NoMargin);
   for (const CornerPoint& point : points)
   {
     EXPECT_TRUE(found.points.insert(point.vertex).second) << "each once";

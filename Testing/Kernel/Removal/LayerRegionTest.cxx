@@ -30,7 +30,8 @@ struct Case
   }
   LayerRegion region(const LayerPlan& plan, double margin = 0) const
   {
-    return findLayerRegion(mesh, classify(mesh, patches), changeablePatches(patches, plan), plan, margin);
+    return findLayerRegion(
+      mesh, BoundaryStars(mesh), classify(mesh, patches), changeablePatches(patches, plan), plan, margin);
   }
 };
 
