@@ -134,12 +134,12 @@ TEST(CornerRegion, LeavesConvexEdgesAlone)
   LayerPlan plan = planWith(2 * Size, { ZLow });
   plan.resize(step + 1, plan[ZLow]);
   plan[ZLow] = {};
-  EXPECT_TRUE(
-    findCornerPoints(mesh, classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
-      .empty());
+  EXPECT_TRUE(findCornerPoints(
+    mesh, BoundaryStars(mesh), classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
+                .empty());
   plan[ZLow] = plan[step];
-  EXPECT_FALSE(
-    findCornerPoints(mesh, classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
-      .empty());
+  EXPECT_FALSE(findCornerPoints(
+    mesh, BoundaryStars(mesh), classify(mesh, patches), changeablePatches(patches, plan), plan, NoMargin)
+                 .empty());
 }
 } // namespace

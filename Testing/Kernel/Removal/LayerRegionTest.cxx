@@ -125,7 +125,8 @@ TEST(LayerRegion, PointsBeyondACeilingAreBeyondReach)
     return Vector3{ p.x, p.y, p.z + 0.15 * (1 - p.z) * std::sin(7 * p.x) * std::cos(5 * p.y) };
   };
   const Case box({ 8, 8, 8, bumps, 0.2 });
-  const WallReach walls(box.mesh, planWith(0.3, { ZLow }), 0.1);
+  const BoundaryStars stars(box.mesh);
+  const WallReach walls(box.mesh, stars, planWith(0.3, { ZLow }), 0.1);
   const auto count = static_cast<Index>(box.mesh.vertexCount());
   std::size_t below = 0;
   for (Index w = 0; w < count; ++w)

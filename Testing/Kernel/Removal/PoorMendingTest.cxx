@@ -37,7 +37,7 @@ protected:
     return tets;
   }
 
-  TetMesh mesh_ = invariants::build(grid_mesh::make({ 4, 4, 4, grid_mesh::turned, 0.35 }));
+  TetMesh mesh_ = invariants::build(grid_mesh::make({ 4, 4, 4, grid_mesh::turned, 0.4 }));
   PatchTable patches_ = grid_mesh::patches(PatchType::Symmetry);
   BoundaryRules rules_{ classify(mesh_, patches_), std::vector<char>(patches_.size(), 0) };
   PoorMending mending_{ mesh_, rules_ };
