@@ -47,6 +47,7 @@ void ClearBall::collectWalls()
       walls_.triangles.push_back(v);
       walls_.patch.push_back(patch);
       faceOf_.push_back(face);
+      planes_.push_back({ stars_.normalOf(face), mesh_.point(v[0]) });
     }
   }
   std::vector<Index> all(walls_.triangles.size());
@@ -75,9 +76,21 @@ Vector3 ClearBall::centre() const
   return mesh_.point(root_) + (diameter_ / 2) * direction_;
 }
 
+// Does the ball cut the plane, and the root see the plane's front? Most triangles end here, at little cost: those of a
+// wall that is flat or convex.
+bool ClearBall::reaches(const Plane& plane) const
+{
+  const double height = dot(plane.normal, mesh_.point(root_) - plane.origin);
+  return height > 0 && height < (diameter_ / 2) * (1 - dot(plane.normal, direction_));
+}
+
 // Lets the ball shrink until it touches the triangle, if it reaches that at all.
 void ClearBall::shrink(Index triangle)
 {
+  if (!reaches(planes_[triangle]))
+  {
+    return;
+  }
   const auto& v = walls_.triangles[triangle];
   if (std::find(v.begin(), v.end(), root_) != v.end())
   {
@@ -100,11 +113,11 @@ void ClearBall::shrink(Index triangle)
   }
 }
 
-// Does the face belong to another wall that can be seen from the root, on the given way?
+// Does the face, whose front the root sees, belong to another wall, and is the given way to it free?
 bool ClearBall::isOther(Index face, const Vector3& way)
 {
   const double length = norm(way);
-  if (!(length > 0) || dot(stars_.normalOf(face), way) >= 0 || way_.leadsTo(face, Joined * length))
+  if (!(length > 0) || way_.leadsTo(face, Joined * length))
   {
     return false;
   }

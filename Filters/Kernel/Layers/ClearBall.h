@@ -33,8 +33,16 @@ public:
   const Vector3& placeTouched() const { return placeTouched_; }
 
 private:
+  // Of a wall's triangle; the normal is unit, into the fluid.
+  struct Plane
+  {
+    Vector3 normal;
+    Vector3 origin;
+  };
+
   void collectWalls();
   Vector3 centre() const;
+  bool reaches(const Plane& plane) const;
   void shrink(Index triangle);
   bool isOther(Index face, const Vector3& way);
 
@@ -43,6 +51,7 @@ private:
   const ColumnSet& set_;
   SurfaceMesh walls_;
   std::vector<Index> faceOf_;        // the boundary face of each of its triangles
+  std::vector<Plane> planes_;        // of these
   std::optional<TriangleTree> tree_; // made when the first ball is asked for
   RayWalk walk_;
   WayOverWalls way_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ransmesh
@@ -27,7 +28,7 @@ public:
   {
     if (!nodes_.empty())
     {
-      visitWithin(0, ballOf, visit);
+      visitBelow(0, ballOf, visit);
     }
   }
 
@@ -48,23 +49,34 @@ private:
   };
 
   template <typename BallOf, typename Visit>
-  void visitWithin(Index node, const BallOf& ballOf, const Visit& visit) const
+  void visitBelow(Index node, const BallOf& ballOf, const Visit& visit) const
   {
-    const auto [centre, radius] = ballOf();
-    if (squareTo(node, centre) >= radius * radius)
-    {
-      return;
-    }
     const Node& here = nodes_[node];
     if (here.right == None)
     {
       std::for_each(triangles_.begin() + here.begin, triangles_.begin() + here.end, visit);
       return;
     }
-    const Index left = node + 1;
-    const bool leftFirst = squareTo(left, centre) <= squareTo(here.right, centre);
-    visitWithin(leftFirst ? left : here.right, ballOf, visit);
-    visitWithin(leftFirst ? here.right : left, ballOf, visit);
+    const auto [centre, radius] = ballOf();
+    std::pair near(squareTo(node + 1, centre), node + 1);
+    std::pair far(squareTo(here.right, centre), here.right);
+    if (far.first < near.first)
+    {
+      std::swap(near, far);
+    }
+    if (near.first < radius * radius)
+    {
+      visitBelow(near.second, ballOf, visit);
+    }
+    const auto [centreNow, radiusNow] = ballOf();
+    if (radiusNow != radius)
+    {
+      far.first = squareTo(far.second, centreNow);
+    }
+    if (far.first < radiusNow * radiusNow)
+    {
+      visitBelow(far.second, ballOf, visit);
+    }
   }
 
   Index build(Index begin, Index end);
