@@ -3,6 +3,8 @@
 #include "Geometry/Predicates.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace ransmesh
 {
@@ -50,6 +52,22 @@ Vector3 Front::position(Index column, double share) const
 {
   const Column& c = set_.columns[column];
   return share >= 1 ? set_.pointAt(c, c.levels) : set_.pointAtHeight(c, share * set_.thickness(c));
+}
+
+double Front::shortestEdge(Index column) const
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Index f : facesAt(column))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int j = (i + 1) % 3;
+      const double length = distance(base_[f][i], base_[f][j]); // of columns on one root: 0
+      const bool isAtColumn = faces_[f].column[i] == column || faces_[f].column[j] == column;
+      shortest = isAtColumn && length > 0 ? std::min(shortest, length) : shortest;
+    }
+  }
+  return std::isfinite(shortest) ? shortest : set_.columns[column].size;
 }
 
 bool Front::slabAllows(Index column, const Vector3& x) const

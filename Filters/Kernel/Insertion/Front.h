@@ -36,6 +36,8 @@ public:
   {
     return { facesAt_.data() + start_[column], facesAt_.data() + start_[column + 1] };
   }
+  // Of the wall's edges at the column's foot in its faces; the column's size where there are none.
+  double shortestEdge(Index column) const;
 
 private:
   bool slabIsPositive(std::size_t number, Index moved, const Vector3& x) const;

@@ -10,10 +10,11 @@ namespace ransmesh
 {
 namespace
 {
-// A sweep's step: a share of the mean length of the wall's edges, and one of the height, with which the edges beyond
-// the front grow. Steps of 0.3 edges all the way took twice as many moves of single tops on an aircraft, from whose
-// narrow trailing edges columns rise by forty edges, and left more tops behind. With half of that share of the height
-// the raising took a sixth longer there; with longer first steps more tops stayed behind.
+// A sweep's step: a share of the shortest of the wall's edges at a column, and one of the height, with which the edges
+// beyond the front grow. Between needles a step of the mean edge is the whole height at once: tops that cannot go it
+// with their neighbours are then left behind for good. Steps of 0.3 mean edges all the way took twice as many moves of single
+// tops on an aircraft, from whose narrow trailing edges columns rise by forty edges, and left more tops behind; so do
+// longer first steps. With half of that share of the height the raising took a sixth longer there.
 constexpr double StepOfSize = 0.3;
 constexpr double StepOfHeight = 0.8;
 // Sweeps after the last planned one, with growing effort.
@@ -65,7 +66,7 @@ public:
       if (column.levels > 0)
       {
         const double way = set.thickness(column) * norm(column.direction);
-        steps_[c] = stepsFor(way / column.size);
+        steps_[c] = stepsFor(way / front_.shortestEdge(static_cast<Index>(c)));
         nextStep_[c] = 1.0 / steps_[c];
         sweeps_ = std::max(sweeps_, steps_[c]);
       }
@@ -102,7 +103,7 @@ private:
     return height_[sweep] / height_[steps_[c]];
   }
 
-  // The number of steps for a way, which is given in edges of the wall.
+  // The number of steps for a way, which is given in shortest edges of the wall.
   int stepsFor(double way)
   {
     int steps = 1;
@@ -250,7 +251,7 @@ private:
   std::vector<int> refusals_;
   std::vector<double> nextStep_;      // shares that a top tries to gain at once
   std::vector<char> ofCorner_;        // by column: does it stand in a tensor corner?
-  std::vector<double> height_{ 0.0 }; // after each step, in edges of the wall
+  std::vector<double> height_{ 0.0 }; // after each step, in shortest edges of the wall
   int sweeps_ = 0;
 };
 } // namespace

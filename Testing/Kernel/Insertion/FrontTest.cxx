@@ -18,6 +18,13 @@ namespace
 {
 const Vector3 Foot{ 0.25, 0.5, 0 };
 
+TetMesh meshOf(const MeshData& data)
+{
+  TetMesh mesh;
+  EXPECT_TRUE(buildTetMesh(data, mesh).ok());
+  return mesh;
+}
+
 // A floor with columns, of which one stands below the lower tip of a sheet that must not move.
 struct BelowASheet
 {
@@ -66,6 +73,20 @@ LayerPlan tenLayers()
   return plan;
 }
 } // namespace
+
+TEST(Front, KnowsTheShortestEdgeAtEachColumn)
+{
+  const TetMesh mesh = meshOf(make({ 8, 2, 4 }));
+  const ColumnSet set =
+    buildColumns(mesh, BoundaryStars(mesh), patches(PatchType::Symmetry), planFor(8, { ZLow }, 0.01, 4));
+  const Front front(mesh, set);
+  ASSERT_FALSE(set.columns.empty());
+  for (std::size_t c = 0; c < set.columns.size(); ++c)
+  {
+    EXPECT_DOUBLE_EQ(front.shortestEdge(static_cast<Index>(c)), 0.125);
+    EXPECT_GT(set.columns[c].size, 0.2);
+  }
+}
 
 TEST(Front, ATopThatIsLiftedAlreadyHasThatShareOfItsHeight)
 {
