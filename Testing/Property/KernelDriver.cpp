@@ -1,13 +1,15 @@
 #include "KernelDriver.h"
 
+#include "Choices.h"
+#include "KeptDomain.h"
+#include "RandomStar.h"
+
 #include "Boundary/Classification.h"
-#include "Geometry/TetrahedronMeasures.h"
 #include "Improvement/LocalImprovement.h"
 #include "Insertion/Enrichment.h"
 #include "Layers/LayerPlanning.h"
 #include "Mesh/Builder.h"
 #include "Mesh/Collapse.h"
-#include "Mesh/Star.h"
 #include "Mesh/Traversal.h"
 #include "Mesh/Validation.h"
 #include "Removal/PointRemoval.h"
@@ -21,45 +23,6 @@ namespace kernel_driver
 namespace
 {
 using namespace ransmesh;
-
-// The choices that the bytes make; zeros when they are used up.
-class Choices
-{
-public:
-  explicit Choices(std::span<const std::uint8_t> bytes)
-    : bytes_(bytes)
-  {
-  }
-  bool isOver() const { return at_ >= bytes_.size(); }
-  unsigned next() { return isOver() ? 0U : bytes_[at_++]; }
-  std::size_t upTo(std::size_t count) { return count == 0 ? 0 : (256 * next() + next()) % count; }
-  double between(double low, double high) { return low + (high - low) * next() / 255.0; }
-
-private:
-  std::span<const std::uint8_t> bytes_;
-  std::size_t at_ = 0;
-};
-
-std::vector<double> areasOf(const MeshData& data, std::size_t patches)
-{
-  std::vector<double> areas(patches);
-  for (std::size_t t = 0; t < data.triangles.size(); ++t)
-  {
-    const auto& v = data.triangles[t];
-    const Vector3& a = data.points[v[0]];
-    areas[static_cast<std::size_t>(data.trianglePatch[t])] +=
-      norm(cross(data.points[v[1]] - a, data.points[v[2]] - a)) / 2;
-  }
-  return areas;
-}
-
-// Whether a tetrahedron has no volume but that of rounding.
-bool anyIsFlat(const MeshData& data)
-{
-  const auto& p = data.points;
-  return std::any_of(data.tetrahedra.begin(), data.tetrahedra.end(),
-    [&](const auto& v) { return quality(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) < 1e-12; });
-}
 
 class Driver
 {
@@ -96,13 +59,9 @@ private:
   std::string findFault();
   bool adopt(const MeshData& data);
   void rebuildRules();
-  std::string findChange(const MeshData& data);
+  std::string findChange(const MeshData& data) { return isFlat_ ? domain_.findChange(data) : std::string(); }
   Index someTet();
   void starSomewhere();
-  bool chooseApex(Cavity& cavity, Index& apex);
-  void growCavity(Cavity& cavity, std::size_t count);
-  void starFacesInPlane(Cavity& cavity, Index apex, int patch) const;
-  bool losesOnlyInnerPoints(const Star& star) const;
   void collapseSomewhere();
   bool collapseIsPositive(const std::vector<Index>& ball, Index v, Index end) const;
   void improveSomewhere();
@@ -115,10 +74,8 @@ private:
   TetMesh mesh_;
   PatchTable patches_;
   BoundaryRules rules_;
-  double volume_ = 0;
-  std::vector<double> areas_; // by patch
-  bool hadFlat_ = false;      // some tetrahedron since then has been flat but for rounding
-  bool isFlat_ = true;        // every patch lies in planes
+  KeptDomain domain_;
+  bool isFlat_ = true; // every patch lies in planes
   std::string problem_;
 };
 
@@ -157,9 +114,7 @@ bool Driver::adopt(const MeshData& data)
     return false;
   }
   mesh_ = std::move(mesh);
-  volume_ = totalVolume(data);
-  areas_ = areasOf(data, patches_.size());
-  hadFlat_ = anyIsFlat(data);
+  domain_.remember(data, patches_);
   rebuildRules();
   return true;
 }
@@ -212,32 +167,6 @@ std::string Driver::findFault()
   return findChange(toMeshData(mesh_));
 }
 
-// Where all patches lie in planes, the domain and its patches stay what they are. Beside tetrahedra that are flat but
-// for rounding, which stars may make in a plane, a triangle of it may be turned over.
-std::string Driver::findChange(const MeshData& data)
-{
-  const auto differs = [](double now, double before) { return std::fabs(now - before) > 1e-9 * before; };
-  if (!isFlat_)
-  {
-    return {};
-  }
-  if (const double volume = totalVolume(data); differs(volume, volume_))
-  {
-    return "the volume has changed from " + std::to_string(volume_) + " to " + std::to_string(volume);
-  }
-  const std::vector<double> areas = areasOf(data, patches_.size());
-  hadFlat_ = hadFlat_ || anyIsFlat(data);
-  for (std::size_t i = 1; i < areas.size() && !hadFlat_; ++i)
-  {
-    if (differs(areas[i], areas_[i]))
-    {
-      return "the area of " + patches_[i].name + " has changed by " +
-        std::to_string(1e6 * (areas[i] / areas_[i] - 1)) + " millionths";
-    }
-  }
-  return {};
-}
-
 Index Driver::someTet()
 {
   const std::size_t slots = mesh_.tetSlots();
@@ -249,103 +178,9 @@ Index Driver::someTet()
   return t;
 }
 
-void Driver::growCavity(Cavity& cavity, std::size_t count)
-{
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const Index from = cavity.tets[choices_.upTo(cavity.tets.size())];
-    const HalfFace beyond = mesh_.tet(from).neighbour[choices_.upTo(4)];
-    if (!isBoundary(beyond))
-    {
-      cavity.tets.push_back(tetOf(beyond)); // doubles, too
-    }
-  }
-}
-
-// A corner of the cavity, a new point in it, or one on its boundary.
-bool Driver::chooseApex(Cavity& cavity, Index& apex)
-{
-  const Tetrahedron tet = mesh_.tet(cavity.tets[choices_.upTo(cavity.tets.size())]);
-  const std::size_t kind = choices_.upTo(3);
-  if (kind == 0)
-  {
-    apex = tet.vertex[choices_.upTo(4)];
-    for (const int patch : rules_.classification.patchesAt(apex))
-    {
-      if (choices_.upTo(2) == 0)
-      {
-        starFacesInPlane(cavity, apex, patch);
-      }
-    }
-    return true;
-  }
-  const std::size_t f = choices_.upTo(4);
-  const bool onFace = kind == 1 && isBoundary(tet.neighbour[f]);
-  Vector3 place;
-  double sum = 0;
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    const double weight = onFace && i == f ? 0 : choices_.between(0.05, 1);
-    place += weight * mesh_.point(tet.vertex[i]);
-    sum += weight;
-  }
-  apex = mesh_.addVertex((1 / sum) * place);
-  if (onFace)
-  {
-    starFacesInPlane(cavity, apex, mesh_.patchOf(tet.neighbour[f]));
-  }
-  return false;
-}
-
-void Driver::starFacesInPlane(Cavity& cavity, Index apex, int patch) const
-{
-  for (const Index t : cavity.tets)
-  {
-    for (const HalfFace beyond : mesh_.tet(t).neighbour)
-    {
-      if (!isBoundary(beyond) || mesh_.patchOf(beyond) != patch)
-      {
-        continue;
-      }
-      const auto v = mesh_.boundaryVertices(boundaryFaceOf(beyond));
-      const Vector3& a = mesh_.point(v[0]);
-      const Vector3 n = normalized(cross(mesh_.point(v[1]) - a, mesh_.point(v[2]) - a));
-      if (std::fabs(dot(n, mesh_.point(apex) - a)) < 1e-12)
-      {
-        cavity.starredFaces.push_back(boundaryFaceOf(beyond));
-      }
-    }
-  }
-}
-
-// Points of ridges and corners hold the domain's shape.
-bool Driver::losesOnlyInnerPoints(const Star& star) const
-{
-  return std::all_of(star.lostVertices().begin(), star.lostVertices().end(),
-    [this](Index v)
-    {
-      const VertexKind kind = rules_.classification.kind[v];
-      return kind == VertexKind::Volume || (kind == VertexKind::Surface && isFlat_);
-    });
-}
-
 void Driver::starSomewhere()
 {
-  Cavity cavity;
-  cavity.tets.push_back(someTet());
-  growCavity(cavity, choices_.upTo(24));
-  Index apex = None;
-  const bool isOld = chooseApex(cavity, apex);
-  Star star(mesh_);
-  const bool isDone = star.check(cavity, apex) == StarVerdict::Possible && losesOnlyInnerPoints(star);
-  if (isDone)
-  {
-    star.apply();
-  }
-  else if (!isOld)
-  {
-    mesh_.removeLastVertices(1);
-  }
+  RandomStar(mesh_, rules_.classification, isFlat_, choices_).tryAt(someTet());
   rebuildRules();
 }
 

@@ -13,7 +13,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iostream>
 #include <random>
 #include <sstream>
 
@@ -88,14 +87,5 @@ TEST(Property, RemeshedRandomBodiesDoNotCutThemselves)
 
 TEST(Property, RandomBodiesGiveValidMeshes)
 {
-  const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", 30);
-  const std::uint32_t first = numberFrom("RANSMESHING_FIRST_SEED", 1);
-  std::uint32_t meshed = 0;
-  VolumeChanges largest;
-  for (std::uint32_t seed = first; seed < first + count; ++seed)
-  {
-    meshed += isMeshed(seed, largest) ? 1 : 0;
-  }
-  std::cout << meshed << " of " << count << " bodies were meshed; " << largest.text() << "\n";
-  EXPECT_GE(meshed, count / 2);
+  runSeeds(30, isMeshed);
 }

@@ -3,8 +3,11 @@
 #include <vtkPolyData.h>
 #include <vtkTriangle.h>
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <iostream>
 #include <sstream>
 
 namespace random_run
@@ -27,13 +30,14 @@ double meanDrift(double change, const chain_run::ChainResult& result, vtkPolyDat
 {
   return change * result.volume / (areaOf(surface) * edge);
 }
-} // namespace
 
+// The number that the environment variable holds.
 std::uint32_t numberFrom(const char* variable, std::uint32_t usual)
 {
   const char* text = std::getenv(variable);
   return text ? static_cast<std::uint32_t>(std::strtoul(text, nullptr, 10)) : usual;
 }
+} // namespace
 
 std::string VolumeChanges::text() const
 {
@@ -70,5 +74,20 @@ std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkP
   {
     return error.what();
   }
+}
+
+void runSeeds(
+  std::uint32_t usualCount, const std::function<bool(std::uint32_t seed, VolumeChanges& largest)>& isMeshed)
+{
+  const std::uint32_t count = numberFrom("RANSMESHING_RANDOM_BODIES", usualCount);
+  const std::uint32_t first = numberFrom("RANSMESHING_FIRST_SEED", 1);
+  std::uint32_t meshed = 0;
+  VolumeChanges largest;
+  for (std::uint32_t seed = first; seed < first + count; ++seed)
+  {
+    meshed += isMeshed(seed, largest) ? 1 : 0;
+  }
+  std::cout << meshed << " of " << count << " bodies were meshed; " << largest.text() << "\n";
+  EXPECT_GE(meshed, count / 2);
 }
 } // namespace random_run

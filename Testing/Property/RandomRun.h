@@ -11,9 +11,6 @@ class vtkPolyData;
 
 namespace random_run
 {
-// The number that the environment variable holds.
-std::uint32_t numberFrom(const char* variable, std::uint32_t usual);
-
 // The largest of all bodies.
 struct VolumeChanges
 {
@@ -36,4 +33,9 @@ struct Drifts
 // What is wrong with the mesh that the chain makes of the surface, whose triangles have this edge, or nothing.
 std::string findFault(const std::function<chain_run::ChainResult()>& chain, vtkPolyData* surface, double edge,
   const Drifts& allowed, VolumeChanges& largest);
+
+// Meshes the bodies of as many seeds as is usual, or as the environment asks for; most must be bodies. isMeshed tells
+// whether the seed gives a body, and reports its faults itself.
+void runSeeds(
+  std::uint32_t usualCount, const std::function<bool(std::uint32_t seed, VolumeChanges& largest)>& isMeshed);
 } // namespace random_run
