@@ -101,14 +101,13 @@ Outcome readCells(vtkUnstructuredGrid* grid, MeshData& mesh)
       mesh.tetrahedra.push_back({ at(0), at(1), at(2), at(3) });
       continue;
     }
-    const double patch = patchIds->GetTuple1(c);
-    if (!(patch >= 1 && patch <= PatchNumbering::LargestKept) || patch != static_cast<int>(patch))
+    int patch = 0;
+    if (Outcome outcome = readPatchId(patchIds, c, patch); !outcome.ok())
     {
-      return Outcome::badInput("triangle " + std::to_string(c) + " has PatchId " + std::to_string(patch) +
-        "; boundary triangles need a whole number from 1 to " + std::to_string(PatchNumbering::LargestKept));
+      return outcome;
     }
     mesh.triangles.push_back({ at(0), at(1), at(2) });
-    mesh.trianglePatch.push_back(static_cast<int>(patch));
+    mesh.trianglePatch.push_back(patch);
   }
   return Outcome::done();
 }

@@ -16,7 +16,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace ransmesh
@@ -72,13 +71,6 @@ std::array<Index, Size> cornersOf(const vtkIdType* v)
   std::array<Index, Size> corners;
   std::transform(v, v + Size, corners.begin(), [](vtkIdType i) { return static_cast<Index>(i); });
   return corners;
-}
-
-int patchOf(vtkDataArray* patchIds, vtkIdType cell)
-{
-  const double patch = patchIds->GetTuple1(cell);
-  const bool isWhole = patch >= 1 && patch <= PatchNumbering::LargestKept && patch == std::floor(patch);
-  return isWhole ? static_cast<int>(patch) : 0;
 }
 
 class MixedReader
@@ -138,12 +130,10 @@ private:
 
   Outcome addBoundary(const Polygon& polygon, vtkIdType c)
   {
-    const int patch = patchOf(patchIds_, c);
-    if (patch == 0)
+    int patch = 0;
+    if (const Outcome outcome = readPatchId(patchIds_, c, patch); !outcome.ok())
     {
-      return Outcome::badInput("cell " + std::to_string(c) + " of the boundary has PatchId " +
-        std::to_string(patchIds_->GetTuple1(c)) + "; it needs a whole number from 1 to " +
-        std::to_string(PatchNumbering::LargestKept));
+      return outcome;
     }
     mesh_.boundaryPatch.push_back(patch);
     return add(polygon, c, mesh_.boundary, boundaryIds_);

@@ -54,6 +54,19 @@ std::optional<std::vector<int>> foreignNumbersIn(vtkDataSet* data)
   return std::nullopt;
 }
 
+Outcome readPatchId(vtkDataArray* patchIds, vtkIdType cell, int& patch)
+{
+  const double value = patchIds->GetTuple1(cell);
+  if (!(value >= 1 && value <= PatchNumbering::LargestKept) || value != std::floor(value))
+  {
+    return Outcome::badInput("cell " + std::to_string(cell) + " of the boundary has PatchId " +
+      std::to_string(value) + "; it needs a whole number from 1 to " +
+      std::to_string(PatchNumbering::LargestKept));
+  }
+  patch = static_cast<int>(value);
+  return Outcome::done();
+}
+
 PatchNumbering::PatchNumbering(PatchTable& patches)
   : patches_(patches)
 {

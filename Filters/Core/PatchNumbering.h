@@ -2,15 +2,19 @@
 #ifndef PatchNumbering_h
 #define PatchNumbering_h
 
+#include "Support/Outcome.h"
 #include "Support/Patch.h"
 
 #include "RANSMeshingCoreModule.h"
+
+#include "vtkType.h"
 
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+class vtkDataArray;
 class vtkDataSet;
 
 namespace ransmesh
@@ -20,6 +24,9 @@ RANSMESHINGCORE_EXPORT std::optional<std::vector<int>> numbersIn(vtkDataSet* dat
 
 // The same by an array that another tool has left, if it tells several numbers apart.
 RANSMESHINGCORE_EXPORT std::optional<std::vector<int>> foreignNumbersIn(vtkDataSet* data);
+
+// The PatchId that the cell of a mesh's boundary has, a whole number from 1 to PatchNumbering::LargestKept.
+Outcome readPatchId(vtkDataArray* patchIds, vtkIdType cell, int& patch);
 
 // Gives patches their numbers in the mesh.
 class RANSMESHINGCORE_EXPORT PatchNumbering
