@@ -12,9 +12,9 @@ namespace
 {
 // A sweep's step: a share of the shortest of the wall's edges at a column, and one of the height, with which the edges
 // beyond the front grow. Between needles a step of the mean edge is the whole height at once: tops that cannot go it
-// with their neighbours are then left behind for good. Steps of 0.3 mean edges all the way took twice as many moves of single
-// tops on an aircraft, from whose narrow trailing edges columns rise by forty edges, and left more tops behind; so do
-// longer first steps. With half of that share of the height the raising took a sixth longer there.
+// with their neighbours are then left behind for good. Steps of 0.3 mean edges all the way took twice as many moves of
+// single tops on an aircraft, from whose narrow trailing edges columns rise by forty edges, and left more tops behind;
+// so do longer first steps. With half of that share of the height the raising took a sixth longer there.
 constexpr double StepOfSize = 0.3;
 constexpr double StepOfHeight = 0.8;
 // Sweeps after the last planned one, with growing effort.

@@ -45,7 +45,6 @@ void ClearBall::collectWalls()
     if (std::all_of(v.begin(), v.end(), carries))
     {
       walls_.triangles.push_back(v);
-      walls_.patch.push_back(patch);
       faceOf_.push_back(face);
       planes_.push_back({ stars_.normalOf(face), mesh_.point(v[0]) });
     }

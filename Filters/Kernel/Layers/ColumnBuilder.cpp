@@ -251,14 +251,12 @@ private:
   // the gap between them closes here.
   StopReason whyUnseen(const std::vector<FaceAtVertex>& carrying, const Vector3& point) const
   {
-    constexpr double wedge = 150 / DegreesOfRadian; // between the walls' normals
     FaceRing ring;
     bool isWedge = false;
     const std::size_t edges = makeRing(carrying, ring) ? ring.edgeCount() : 0;
     for (std::size_t i = 0; i < edges && !isWedge; ++i)
     {
-      const Turn turn = ring.turnAfter(point, mesh_, i);
-      isWedge = !turn.isConvex && turn.angle > wedge;
+      isWedge = ring.turnAfter(point, mesh_, i).isWedge();
     }
     return isWedge ? StopReason::Gap : StopReason::Corner;
   }

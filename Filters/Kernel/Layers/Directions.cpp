@@ -115,7 +115,8 @@ Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d)
   return (1 / std::max(mean, 1 / LargestScale)) * d;
 }
 
-// Goes again and again to where the step would rise as it should above the face that it misses most, and keeps the best.
+// Goes again and again to where the step would rise as it should above the face that it misses most, and keeps the
+// best.
 Vector3 evenStep(std::span<const FaceAtVertex> walls, const SideProjection& lay, const Vector3& d)
 {
   constexpr double even = 0.05; // of the height

@@ -34,8 +34,8 @@ Vector3 mostVisible(const std::vector<Vector3>& normals, const SideProjection& l
 
 std::vector<Vector3> normalsOf(std::span<const FaceAtVertex> faces);
 
-// The step that rises by one above the faces, as nearly as it can above each of them, within what the projection leaves.
-// scaledStep of d where that does so already; where no step comes near to one above all; and where the step
+// The step that rises by one above the faces, as nearly as it can above each of them, within what the projection
+// leaves. scaledStep of d where that does so already; where no step comes near to one above all; and where the step
 // found would see some face markedly worse: at tips.
 Vector3 evenStep(std::span<const FaceAtVertex> walls, const SideProjection& lay, const Vector3& d);
 

@@ -1,6 +1,5 @@
 #include "Layers/FaceGaps.h"
 
-#include "Geometry/Angles.h"
 #include "Layers/ColumnLimits.h"
 #include "Layers/FaceRing.h"
 
@@ -11,8 +10,6 @@ namespace ransmesh
 {
 namespace
 {
-constexpr double LeastTurnOfWedge = 150 / DegreesOfRadian;
-
 using Three = std::array<double, 3>;
 
 // Barycentric, of a place on the triangle; not negative.
@@ -81,7 +78,7 @@ Opening openingAt(const TetMesh& mesh, Index a, Index b, Index one, Index other)
 
 bool mayHaveWedge(const std::vector<FaceAtVertex>& faces)
 {
-  const double cosine = std::cos(LeastTurnOfWedge);
+  const double cosine = std::cos(Turn::LeastOfWedge);
   return std::any_of(faces.begin(), faces.end(),
     [&](const FaceAtVertex& f)
     {
@@ -129,9 +126,8 @@ void limitInWedges(const TetMesh& mesh, const BoundaryStars& stars, double gapFr
 {
   std::vector<FaceAtVertex> faces;
   FaceRing ring;
-  for (std::size_t i = 0; i < set.columns.size(); ++i)
+  for (const Column& c : set.columns)
   {
-    const Column c = set.columns[i];
     faces.clear();
     for (const Index face : stars.facesAt(c.root))
     {
@@ -143,8 +139,7 @@ void limitInWedges(const TetMesh& mesh, const BoundaryStars& stars, double gapFr
     const std::size_t edges = mayHaveWedge(faces) && makeRing(faces, ring) ? ring.edgeCount() : 0;
     for (std::size_t k = 0; k < edges; ++k)
     {
-      const Turn turn = ring.turnAfter(c.base, mesh, k);
-      if (!turn.isConvex && turn.angle > LeastTurnOfWedge)
+      if (ring.turnAfter(c.base, mesh, k).isWedge())
       {
         limitInWedge(mesh, ring.faces[k], ring.faces[(k + 1) % ring.faces.size()], gapFraction, set);
       }

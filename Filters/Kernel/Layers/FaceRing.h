@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Boundary/BoundaryStars.h"
+#include "Geometry/Angles.h"
 
 #include <span>
 #include <vector>
@@ -13,6 +14,10 @@ struct Turn
 {
   double angle = 0; // between the normals, radians, 0 to pi
   bool isConvex = false;
+
+  // The two faces are each other's opposite wall, and the gap between them closes at their edge.
+  bool isWedge() const { return !isConvex && angle > LeastOfWedge; }
+  static constexpr double LeastOfWedge = 150 / DegreesOfRadian;
 };
 
 struct FaceRing

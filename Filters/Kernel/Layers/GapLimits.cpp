@@ -96,22 +96,14 @@ public:
     collectSteps(column);
     const double longest = norm(*std::max_element(steps_.begin(), steps_.end(),
       [](const Vector3& a, const Vector3& b) { return dot(a, a) < dot(b, b); }));
-    if (nearest_[column] > highest_ * longest / gapFraction_)
+    if (nearest_[column] <= set_.thickness(c) * longest / gapFraction_)
     {
-      return;
+      limitAhead(c);
     }
-    collectRays(c);
-    for (const Ray& ray : rays_)
+    if (nearest_[column] <= highest_ * longest / gapFraction_)
     {
-      const double reach = set_.thickness(c) * ray.rise / gapFraction_;
-      const double free = walk_.freeDistance(c.root, ray.direction, reach);
-      if (free < reach)
-      {
-        const double share = isSideOfNeighbour(walk_.patchHit()) ? ShareToSide : gapFraction_;
-        c.limit(levelBelow(set_, c, share * free / ray.rise), StopReason::Gap);
-      }
+      limitBeside(c);
     }
-    limitBeside(c);
   }
 
   const std::vector<FaceMeeting>& meetings() const { return meetings_; }
@@ -124,6 +116,22 @@ private:
     Vector3 normal;
     int patch;
   };
+
+  // Limits a column by what rays from its root meet.
+  void limitAhead(Column& c)
+  {
+    collectRays(c);
+    for (const Ray& ray : rays_)
+    {
+      const double reach = set_.thickness(c) * ray.rise / gapFraction_;
+      const double free = walk_.freeDistance(c.root, ray.direction, reach);
+      if (free < reach)
+      {
+        const double share = isSideOfNeighbour(walk_.patchHit()) ? ShareToSide : gapFraction_;
+        c.limit(levelBelow(set_, c, share * free / ray.rise), StopReason::Gap);
+      }
+    }
+  }
 
   // Limits a column by the balls between it and other walls. Of these a face may be met that is to have layers where
   // the column is low for another reason, or has none.

@@ -40,29 +40,13 @@ bool RayWalk::passes(const std::array<Index, 3>& face, const Vector3& from, cons
 
 HalfFace RayWalk::firstExit(Index v, const Vector3& d)
 {
-  // The ball of v, until it is found.
-  seen_.clear();
-  ball_.assign(1, mesh_.tetAt(v));
-  seen_.set(ball_.front());
-  for (std::size_t i = 0; i < ball_.size(); ++i)
-  {
-    const Tetrahedron& tet = mesh_.tet(ball_[i]);
-    const int corner = tet.cornerOf(v);
-    if (passes(tet.face(corner), mesh_.point(v), d))
+  const Index tet = traversal_.findInBall(v,
+    [&](Index t)
     {
-      return halfFace(ball_[i], corner);
-    }
-    for (int f = 0; f < 4; ++f)
-    {
-      const HalfFace other = tet.neighbour[f];
-      if (f != corner && !isBoundary(other) && seen_.set(tetOf(other)))
-      {
-        mesh_.fetchAhead(tetOf(other));
-        ball_.push_back(tetOf(other));
-      }
-    }
-  }
-  return None;
+      const Tetrahedron& at = mesh_.tet(t);
+      return passes(at.face(at.cornerOf(v)), mesh_.point(v), d);
+    });
+  return tet == None ? None : halfFace(tet, mesh_.tet(tet).cornerOf(v));
 }
 
 // The ray passes the edges of the face that it came through: which other face it leaves by, the edges to the corner

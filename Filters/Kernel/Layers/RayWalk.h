@@ -1,10 +1,7 @@
 // Follows rays from vertices through the mesh.
 #pragma once
 
-#include "Mesh/LocalNumbers.h"
-#include "Mesh/TetMesh.h"
-
-#include <vector>
+#include "Mesh/Traversal.h"
 
 namespace ransmesh
 {
@@ -13,6 +10,7 @@ class RayWalk
 public:
   explicit RayWalk(const TetMesh& mesh)
     : mesh_(mesh)
+    , traversal_(mesh)
   {
   }
 
@@ -30,8 +28,7 @@ private:
   double distanceTo(HalfFace h, const Vector3& from, const Vector3& d) const;
 
   const TetMesh& mesh_;
-  LocalMarks seen_;
-  std::vector<Index> ball_;
+  Traversal traversal_;
   int patchHit_ = 0;
 };
 } // namespace ransmesh

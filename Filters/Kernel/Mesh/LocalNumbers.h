@@ -9,84 +9,46 @@
 
 namespace ransmesh
 {
-// For work that goes on around one place of a large mesh: a small hash table, which stays in the cache where an
-// array with a place for each thing would not.
+// Which thing, and when it came: after which clearing.
 template <class Thing>
-class LocalNumbersOf
+struct LocalKey
 {
-public:
-  // Forgets everything.
-  void clear()
-  {
-    count_ = 0;
-    if (++current_ == 0) // the stamps have been through: begin anew
-    {
-      entries_.assign(entries_.size(), {});
-      current_ = 1;
-    }
-  }
-  // How many things have numbers: 0 to count() - 1, in the order in which they were added.
-  int count() const { return count_; }
-  bool has(Thing thing) const { return entries_[find(thing)].stamp == current_; }
-  // The thing's number; it gets the next one if it has none.
-  int add(Thing thing)
-  {
-    Entry& entry = entries_[find(thing)];
-    if (entry.stamp == current_)
-    {
-      return entry.number;
-    }
-    entry = { thing, current_, count_++ };
-    if (2 * static_cast<std::size_t>(count_) > entries_.size())
-    {
-      grow();
-    }
-    return count_ - 1;
-  }
+  Thing thing{};
+  std::uint32_t stamp = 0;
 
-private:
-  struct Entry
+  LocalKey() = default;
+  LocalKey(Thing which, std::uint32_t when)
+    : thing(which)
+    , stamp(when)
   {
-    Thing thing{};
-    std::uint32_t stamp = 0;
-    int number = 0;
-  };
-
-  // The entry of the thing, or the free one where it belongs.
-  std::size_t find(Thing thing) const
-  {
-    std::size_t place =
-      (static_cast<std::uint64_t>(thing) * 0x9e3779b97f4a7c15ULL) >> shift_; // Fibonacci hashing
-    while (entries_[place].stamp == current_ && entries_[place].thing != thing)
-    {
-      place = (place + 1) & (entries_.size() - 1);
-    }
-    return place;
   }
-
-  void grow()
+  std::uint32_t when() const { return stamp; }
+  std::uint32_t hash() const
   {
-    std::vector<Entry> old(2 * entries_.size());
-    old.swap(entries_);
-    --shift_;
-    for (const Entry& entry : old)
-    {
-      if (entry.stamp == current_)
-      {
-        entries_[find(entry.thing)] = entry;
-      }
-    }
+    return static_cast<std::uint32_t>((static_cast<std::uint64_t>(thing) * 0x9e3779b97f4a7c15ULL) >> 32);
   }
-
-  static constexpr int FirstBits = 9;
-  std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{ 1 } << FirstBits);
-  int shift_ = 64 - FirstBits;
-  int count_ = 0;
-  std::uint32_t current_ = 1;
+  bool operator==(const LocalKey&) const = default;
 };
 
-// The same for things that have an Index: when a thing came and which it is, compared as one number.
-template <class Entry>
+// What has an Index fits into one word with its stamp, and is compared as one.
+template <>
+struct LocalKey<Index>
+{
+  std::uint64_t word = 0;
+
+  LocalKey() = default;
+  LocalKey(Index which, std::uint32_t when)
+    : word(static_cast<std::uint64_t>(when) << 32 | static_cast<std::uint32_t>(which))
+  {
+  }
+  std::uint32_t when() const { return static_cast<std::uint32_t>(word >> 32); }
+  std::uint32_t hash() const { return static_cast<std::uint32_t>(word) * 0x9e3779b1U; }
+  bool operator==(const LocalKey&) const = default;
+};
+
+// For work that goes on around one place of a large mesh: a small hash table, which stays in the cache where an
+// array with a place for each thing would not. An Entry begins with its LocalKey. The hash is Fibonacci's.
+template <class Thing, class Entry>
 class LocalTable
 {
 public:
@@ -102,15 +64,12 @@ public:
   }
 
 protected:
-  std::uint64_t wordOf(Index thing) const
+  LocalKey<Thing> keyOf(Thing thing) const { return { thing, current_ }; }
+  // Where the key is, or the free place where it belongs.
+  std::size_t find(const LocalKey<Thing>& key) const
   {
-    return static_cast<std::uint64_t>(current_) << 32 | static_cast<std::uint32_t>(thing);
-  }
-  // Where the word is, or the free place where it belongs.
-  std::size_t find(std::uint64_t word) const
-  {
-    std::size_t place = (static_cast<std::uint32_t>(word) * 0x9e3779b1U) >> shift_; // Fibonacci hashing
-    while (entries_[place].word != word && entries_[place].word >> 32 == current_)
+    std::size_t place = key.hash() >> shift_;
+    while (!(entries_[place].key == key) && entries_[place].key.when() == current_)
     {
       place = (place + 1) & (entries_.size() - 1);
     }
@@ -137,9 +96,9 @@ private:
     --shift_;
     for (const Entry& entry : old)
     {
-      if (entry.word >> 32 == current_)
+      if (entry.key.when() == current_)
       {
-        entries_[find(entry.word)] = entry;
+        entries_[find(entry.key)] = entry;
       }
     }
   }
@@ -150,59 +109,63 @@ private:
 
 struct LocalMark
 {
-  std::uint64_t word = 0;
+  LocalKey<Index> key;
 };
 
-struct LocalNumber
-{
-  std::uint64_t word = 0;
-  int number = 0;
-};
-
-class LocalMarks : public LocalTable<LocalMark>
+class LocalMarks : public LocalTable<Index, LocalMark>
 {
 public:
   bool test(Index thing) const
   {
-    const std::uint64_t word = wordOf(thing);
-    return entries_[find(word)].word == word;
+    const LocalKey<Index> key = keyOf(thing);
+    return entries_[find(key)].key == key;
   }
   // Marks the thing; false if it was marked already.
   bool set(Index thing)
   {
-    const std::uint64_t word = wordOf(thing);
-    const std::size_t place = find(word);
-    if (entries_[place].word == word)
+    const LocalKey<Index> key = keyOf(thing);
+    const std::size_t place = find(key);
+    if (entries_[place].key == key)
     {
       return false;
     }
-    enter(place, { word });
+    enter(place, { key });
     return true;
   }
 };
 
-class LocalNumbers : public LocalTable<LocalNumber>
+template <class Thing>
+struct LocalNumber
+{
+  LocalKey<Thing> key;
+  int number = 0;
+};
+
+template <class Thing>
+class LocalNumbersOf : public LocalTable<Thing, LocalNumber<Thing>>
 {
 public:
   // How many things have numbers: 0 to count() - 1, in the order in which they were added.
-  int count() const { return count_; }
-  bool has(Index thing) const
+  int count() const { return this->count_; }
+  bool has(Thing thing) const
   {
-    const std::uint64_t word = wordOf(thing);
-    return entries_[find(word)].word == word;
+    const LocalKey<Thing> key = this->keyOf(thing);
+    return this->entries_[this->find(key)].key == key;
   }
   // The thing's number; it gets the next one if it has none.
-  int add(Index thing)
+  int add(Thing thing)
   {
-    const std::uint64_t word = wordOf(thing);
-    const std::size_t place = find(word);
-    if (entries_[place].word == word)
+    const LocalKey<Thing> key = this->keyOf(thing);
+    const std::size_t place = this->find(key);
+    if (this->entries_[place].key == key)
     {
-      return entries_[place].number;
+      return this->entries_[place].number;
     }
-    const int next = count_;
-    enter(place, { word, next });
+    const int next = this->count_;
+    this->enter(place, { key, next });
     return next;
   }
 };
+
+using LocalNumbers = LocalNumbersOf<Index>;
 } // namespace ransmesh

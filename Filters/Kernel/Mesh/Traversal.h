@@ -20,6 +20,9 @@ public:
 
   // All tetrahedra at vertex v, which must be used.
   void ball(Index v, std::vector<Index>& out);
+  // The first tetrahedron at vertex v that the question is true of, or None: the walk over the ball ends there.
+  template <class Question>
+  Index findInBall(Index v, Question question);
   // All tetrahedra at the edge (a, b), beginning with first, which must have both.
   void ring(Index first, Index a, Index b, std::vector<Index>& out);
 
@@ -28,4 +31,33 @@ private:
   LocalMarks seen_;
   Scratch<Index> found_;
 };
+
+template <class Question>
+Index Traversal::findInBall(Index v, Question question)
+{
+  seen_.clear();
+  found_.clear();
+  found_.makeRoom(1);
+  found_.add(mesh_.tetAt(v));
+  seen_.set(found_[0]);
+  for (std::size_t i = 0; i < found_.size(); ++i)
+  {
+    if (question(found_[i]))
+    {
+      return found_[i];
+    }
+    found_.makeRoom(4);
+    const Tetrahedron& tet = mesh_.tet(found_[i]);
+    for (int f = 0; f < 4; ++f)
+    {
+      const HalfFace other = tet.neighbour[f];
+      if (tet.vertex[f] != v && !isBoundary(other) && seen_.set(tetOf(other)))
+      {
+        mesh_.fetchAhead(tetOf(other));
+        found_.add(tetOf(other));
+      }
+    }
+  }
+  return None;
+}
 } // namespace ransmesh

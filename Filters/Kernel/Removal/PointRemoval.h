@@ -47,9 +47,9 @@ struct RemovalResult
 
 // Removes from the mesh what findLayerRegion marks. Points go by collapse onto the neighbour that leaves
 // the best quality, by starring an enlarged cavity, with limits that relax from pass to pass, and with
-// swaps and movement between. Points of walls stay but for those in corners (Removal/CornerRegion.h), and so
-// do corners and interfaces; points on surfaces go along their own surface or ridge. The mesh is valid at every moment, and stays so when the
-// outcome is Cancelled. BadInput if a triangle's patch is missing in patches. The same input gives the
+// swaps and movement between. Points of walls stay but for those in corners (Removal/CornerRegion.h), and so do corners
+// and interfaces; points on surfaces go along their own surface or ridge. The mesh is valid at every moment, and stays
+// so when the outcome is Cancelled. BadInput if a triangle's patch is missing in patches. The same input gives the
 // same result.
 RemovalResult removePoints(TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
   const RemovalOptions& options, const Context& context);

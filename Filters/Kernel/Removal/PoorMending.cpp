@@ -23,22 +23,19 @@ void PoorMending::begin()
 
 bool PoorMending::move(Index v, double keep)
 {
-  const bool moved = improvement_.move(v, keep);
-  if (moved)
-  {
-    traversal_.ball(v, ball_);
-    noteChange(ball_);
-  }
-  return moved;
+  return noteMove(improvement_.move(v, keep));
 }
 
 bool PoorMending::moveTowards(Index v, const Vector3& place, double floor)
 {
-  const bool moved = improvement_.moveTowards(v, place, floor);
+  return noteMove(improvement_.moveTowards(v, place, floor));
+}
+
+bool PoorMending::noteMove(bool moved)
+{
   if (moved)
   {
-    traversal_.ball(v, ball_);
-    noteChange(ball_);
+    noteChange(improvement_.around());
   }
   return moved;
 }

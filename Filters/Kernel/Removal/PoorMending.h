@@ -40,6 +40,7 @@ public:
 
 private:
   bool swap(Index tet);
+  bool noteMove(bool moved);
   void noteChange(std::span<const Index> tets);
 
   TetMesh& mesh_;
