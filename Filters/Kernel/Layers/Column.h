@@ -41,9 +41,11 @@ struct Column
   std::array<int, 2> sides{ 0, 0 }; // adjoining patches that it stays in; 0: none
   Index path = None;                // its path where it follows curved sides; None: it is straight, or
   Index bend = None;                // has places of its own, between walls of different heights
+  Index squeezed = None;            // its own heights, where room is short; None: its patch's
   double size = 0;                  // mean length of the wall's edges here
   int asked = 0;                    // layers asked for
   int levels = 0;                   // layers that it is to have, or has
+  bool hasGrid = false;             // it stands in a tensor corner
   int lowest = 0;                   // it can not have fewer; 1 where another column of its root may have none
   double lifted = 0;                // height at which its top stands before the front rises
   StopReason reason = StopReason::Complete;
@@ -64,16 +66,20 @@ struct Column
 
 struct ColumnSet
 {
-  std::vector<Column> columns;       // one a root, in order of vertex number; then those of the fans
-  std::vector<Index> ofVertex;       // the column with this top, or None
-  std::vector<LayerHeights> heights; // by patch
-  std::vector<SidePath> paths;       // of columns in curved sides
-  std::vector<Fan> fans;             // in order of their main columns
-  std::vector<TensorCorner> corners; // in order of their columns
+  std::vector<Column> columns;        // one a root, in order of vertex number; then those of the fans
+  std::vector<Index> ofVertex;        // the column with this top, or None
+  std::vector<LayerHeights> heights;  // by patch
+  std::vector<LayerHeights> squeezed; // of columns with heights of their own
+  std::vector<SidePath> paths;        // of columns in curved sides
+  std::vector<Fan> fans;              // in order of their main columns
+  std::vector<TensorCorner> corners;  // in order of their columns
   std::vector<std::vector<Vector3>>
     bends; // by level, from the base up: the points of columns that are not straight
 
-  const LayerHeights& heightsOf(const Column& c) const { return heights[c.patch]; }
+  const LayerHeights& heightsOf(const Column& c) const
+  {
+    return c.squeezed == None ? heights[c.patch] : squeezed[c.squeezed];
+  }
   double thickness(const Column& c) const { return heightsOf(c).height(c.levels); }
   // The layers' height over a wall of this patch at the column's foot, as a share of its own height.
   double shareOver(int patch, const Column& c) const

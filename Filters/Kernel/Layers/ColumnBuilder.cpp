@@ -284,6 +284,7 @@ private:
     }
     corner.column = static_cast<Index>(set_.columns.size());
     column.direction = corner.diagonal();
+    column.hasGrid = true;
     bend(corner, column);
     set_.corners.push_back(corner);
     return true;

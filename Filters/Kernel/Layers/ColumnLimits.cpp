@@ -21,6 +21,36 @@ int levelBelow(const ColumnSet& set, const Column& column, double height)
   return level;
 }
 
+namespace
+{
+// Grids bring points to walls at the patches' heights, and bends have places of their own. Where layers are lost anyway
+// the rest keep their heights: fronts that come nearer to each other in narrow slots left more tops behind.
+bool canBeSqueezed(const ColumnSet& set, const Column& column, double height)
+{
+  return !column.hasGrid && column.bend == None && column.levels > 0 && column.levels == column.asked &&
+    set.heights[column.patch].squeezedHeight(column.levels) <= height;
+}
+} // namespace
+
+void limitHeight(ColumnSet& set, Column& column, double height, StopReason why)
+{
+  if (set.thickness(column) <= height)
+  {
+    return;
+  }
+  if (!canBeSqueezed(set, column, height))
+  {
+    column.limit(levelBelow(set, column, height), why);
+    return;
+  }
+  if (column.squeezed == None)
+  {
+    column.squeezed = static_cast<Index>(set.squeezed.size());
+    set.squeezed.emplace_back();
+  }
+  set.squeezed[column.squeezed] = set.heights[column.patch].squeezed(column.levels, height);
+}
+
 void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)
 {
   for (Column& c : set.columns)
@@ -58,7 +88,7 @@ void limitAtWallEnds(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet&
         const double allowed = LargestSlope * distance(c.base, mesh.point(v));
         if (set.ofVertex[v] == None && set.thickness(c) > allowed)
         {
-          c.limit(levelBelow(set, c, allowed), StopReason::Transition);
+          limitHeight(set, c, allowed, StopReason::Transition);
         }
       }
     }
@@ -119,7 +149,7 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
         if (reach[j] > allowed)
         {
           reach[j] = allowed;
-          other.limit(levelBelow(set, other, allowed), StopReason::Transition);
+          limitHeight(set, other, allowed, StopReason::Transition);
           queue.emplace(allowed, j);
         }
       }

@@ -17,4 +17,8 @@ void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& se
 
 // The highest level of the column that does not exceed the height.
 int levelBelow(const ColumnSet& set, const Column& column, double height);
+
+// Lowers the column, one of the set, so that it does not exceed the height. Where it has all its layers, and these can
+// be squeezed so far, it keeps them; else it stops, for the reason given, at the highest level below.
+void limitHeight(ColumnSet& set, Column& column, double height, StopReason why);
 } // namespace ransmesh

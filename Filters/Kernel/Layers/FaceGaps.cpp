@@ -52,7 +52,7 @@ void limitAt(Index vertex, double height, ColumnSet& set)
 {
   if (const Index c = set.standingAt(vertex); c != None)
   {
-    set.columns[c].limit(levelBelow(set, set.columns[c], height), StopReason::Gap);
+    limitHeight(set, set.columns[c], height, StopReason::Gap);
   }
 }
 

@@ -128,7 +128,7 @@ private:
       if (free < reach)
       {
         const double share = isSideOfNeighbour(walk_.patchHit()) ? ShareToSide : gapFraction_;
-        c.limit(levelBelow(set_, c, share * free / ray.rise), StopReason::Gap);
+        limitHeight(set_, c, share * free / ray.rise, StopReason::Gap);
       }
     }
   }
@@ -143,7 +143,7 @@ private:
       const double room = balls_.diameter(c.root, (1 / length) * step, highest_ * length / gapFraction_);
       if (balls_.faceTouched() != None)
       {
-        c.limit(levelBelow(set_, c, gapFraction_ * room / length), StopReason::Gap);
+        limitHeight(set_, c, gapFraction_ * room / length, StopReason::Gap);
         meetings_.push_back({ balls_.faceTouched(), balls_.placeTouched(), room });
       }
     }

@@ -2,6 +2,7 @@
 
 #include "Support/Numbers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -79,6 +80,46 @@ LayerHeights::LayerHeights(const LayerSpecification& s)
   {
     height_.push_back(height_.back() + spacingOf(s, level));
   }
+}
+
+namespace
+{
+// The quality report takes spacings for a column's that are off by a factor of at most 1.3.
+constexpr double LeastLastSpacing = 0.78;
+constexpr double LeastGrowth = 0.96;
+
+double squeezeFactor(int levels)
+{
+  return levels < 2 ? 1 : std::max(LeastGrowth, std::pow(LeastLastSpacing, 1.0 / (levels - 1)));
+}
+} // namespace
+
+double LayerHeights::squeezedHeight(int levels) const
+{
+  const double factor = squeezeFactor(levels);
+  double share = 1;
+  double sum = 0;
+  for (int level = 1; level <= levels; ++level, share *= factor)
+  {
+    sum += share * spacing(level);
+  }
+  return sum;
+}
+
+LayerHeights LayerHeights::squeezed(int levels, double height) const
+{
+  // Between the heights as they are and the lowest ones: what lies between two growths is between them everywhere.
+  const double least = squeezedHeight(levels);
+  const double whole = height_[levels];
+  const double part = whole > least ? std::clamp((whole - height) / (whole - least), 0.0, 1.0) : 0;
+  const double factor = squeezeFactor(levels);
+  double share = 1;
+  LayerHeights result;
+  for (int level = 1; level <= levels; ++level, share *= factor)
+  {
+    result.height_.push_back(result.height_.back() + (1 - part + part * share) * spacing(level));
+  }
+  return result;
 }
 
 int levelsOfIsotropicSize(const LayerHeights& heights, double fraction, double size)

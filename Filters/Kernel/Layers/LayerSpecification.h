@@ -56,6 +56,12 @@ public:
   double spacing(int level) const { return height_[level] - height_[level - 1]; }
   double thickness() const { return height_.back(); }
 
+  // The least height that so many levels can be squeezed into: the first spacing stays, the growth is lowered until
+  // the last spacing is 0.78 of what it was (by the default growth: 1.187 for 1.2), or the growth 0.96 of it.
+  double squeezedHeight(int levels) const;
+  // So many levels that end at the height, which lies between squeezedHeight(levels) and height(levels).
+  LayerHeights squeezed(int levels, double height) const;
+
 private:
   std::vector<double> height_{ 0.0 };
 };

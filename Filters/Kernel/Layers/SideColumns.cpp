@@ -160,11 +160,11 @@ private:
     else if (way.end == WalkEnd::Border || way.end == WalkEnd::Continued)
     {
       const double share = way.end == WalkEnd::Border ? gapFraction_ : ShareToContinuation;
-      c.limit(levelBelow(set_, c, share * way.path.top()), StopReason::Gap);
+      limitHeight(set_, c, share * way.path.top(), StopReason::Gap);
     }
     else if (way.end != WalkEnd::Reached)
     {
-      c.limit(levelBelow(set_, c, way.path.top()), StopReason::CurvedSide);
+      limitHeight(set_, c, way.path.top(), StopReason::CurvedSide);
     }
   }
 

@@ -55,6 +55,47 @@ TEST(ColumnLimits, LevelBelowIsTheHighestThatFits)
   EXPECT_EQ(levelBelow(channel.set, channel.middle(), 0.001), 0);
 }
 
+TEST(ColumnLimits, AColumnWithLittleMissingKeepsAllItsLayers)
+{
+  Channel channel(1);
+  Column& c = channel.set.columns.front();
+  for (const double height : { 0.195, 0.18 })
+  {
+    limitHeight(channel.set, c, height, StopReason::Gap);
+    EXPECT_EQ(c.levels, 20);
+    EXPECT_EQ(c.reason, StopReason::Complete);
+    EXPECT_NEAR(channel.set.thickness(c), height, 1e-12);
+    EXPECT_NEAR(distance(channel.set.pointAt(c, 1), c.base), 0.01 * norm(c.direction), 1e-12);
+  }
+  EXPECT_NEAR(channel.set.thickness(channel.middle()), 0.2, 1e-12);
+  limitHeight(channel.set, c, 0.1, StopReason::Gap);
+  EXPECT_EQ(c.reason, StopReason::Gap);
+  EXPECT_EQ(c.levels, levelBelow(channel.set, c, 0.1));
+  EXPECT_LT(c.levels, 13);
+}
+
+TEST(ColumnLimits, OfAColumnThatMissesLayersTheRestKeepTheirHeights)
+{
+  Channel channel(1);
+  Column& c = channel.set.columns.front();
+  limitHeight(channel.set, c, 0.1001, StopReason::Gap);
+  EXPECT_EQ(c.levels, 10);
+  limitHeight(channel.set, c, 0.0999, StopReason::Transition);
+  EXPECT_EQ(c.levels, 9);
+  EXPECT_EQ(c.reason, StopReason::Transition);
+  EXPECT_NEAR(channel.set.thickness(c), 0.09, 1e-12);
+}
+
+TEST(ColumnLimits, ColumnsOfGridsAreNotSqueezed)
+{
+  Channel channel(1);
+  Column& c = channel.set.columns.front();
+  c.hasGrid = true;
+  limitHeight(channel.set, c, 0.1999, StopReason::Gap);
+  EXPECT_EQ(c.levels, 19);
+  EXPECT_EQ(c.reason, StopReason::Gap);
+}
+
 TEST(ColumnLimits, NoSpacingAboveThePartOfTheIsotropicSize)
 {
   Channel channel(1);

@@ -64,6 +64,36 @@ TEST(LayerSpecification, growthOfOneGivesEvenLayers)
   EXPECT_NEAR(LayerHeights(s).thickness(), 25e-5, 1e-17);
 }
 
+TEST(LayerSpecification, squeezedLayersKeepTheFirstHeightAndAllButTheGrowth)
+{
+  const LayerHeights whole(good());
+  const double least = whole.squeezedHeight(25);
+  EXPECT_NEAR(least / whole.thickness(), 0.82, 0.001);
+  for (const double height : { least, 0.9 * whole.thickness(), whole.thickness() })
+  {
+    const LayerHeights heights = whole.squeezed(25, height);
+    ASSERT_EQ(heights.count(), 25);
+    EXPECT_NEAR(heights.thickness(), height, 1e-12 * height);
+    EXPECT_NEAR(heights.height(1), 1e-5, 1e-20);
+    for (int level = 2; level <= 25; ++level)
+    {
+      EXPECT_GE(heights.spacing(level) / whole.spacing(level), 0.78 - 1e-9);
+      const double growth = heights.spacing(level) / heights.spacing(level - 1);
+      EXPECT_GE(growth, 1.2 * 0.989);
+      EXPECT_LE(growth, 1.2 + 1e-9);
+    }
+  }
+}
+
+TEST(LayerSpecification, fewLayersAreSqueezedLess)
+{
+  const LayerHeights heights(good());
+  EXPECT_EQ(heights.squeezedHeight(0), 0);
+  EXPECT_EQ(heights.squeezedHeight(1), heights.height(1));
+  EXPECT_NEAR(heights.squeezedHeight(2), (1 + 0.96 * 1.2) * 1e-5, 1e-15);
+  EXPECT_NEAR(heights.squeezed(2, 2.2e-5).height(2), 2.2e-5, 1e-15);
+}
+
 TEST(LayerSpecification, noLayersHaveNoHeight)
 {
   const LayerHeights none{ LayerSpecification{} };
