@@ -51,6 +51,31 @@ Box boundsOf(const MeshData& mesh)
   return box;
 }
 
+// Fewer of them apart, a level's height is right to a tenth no more.
+constexpr int LeastSpacings = 5;
+
+// The distance from the number to the next larger one.
+double spacingAt(double number)
+{
+  return std::nextafter(number, std::numeric_limits<double>::infinity()) - number;
+}
+
+// Of each patch's points, without sign; by patch number.
+std::vector<double> largestCoordinates(const MeshData& mesh, std::size_t patchCount)
+{
+  std::vector<double> largest(patchCount, 0.0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  {
+    for (const Index v : mesh.triangles[t])
+    {
+      const Vector3& p = mesh.points[v];
+      double& most = largest[mesh.trianglePatch[t]];
+      most = std::max({ most, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z) });
+    }
+  }
+  return largest;
+}
+
 // The walls, by number, where none is named.
 std::vector<int> wallsByType(const MeshData& mesh, const PatchTable& patches)
 {
@@ -244,6 +269,7 @@ Outcome planLayers(
   const Box box = boundsOf(mesh);
   const Vector3 size = box.high - box.low;
   const double extent = std::max({ size.x, size.y, size.z });
+  const std::vector<double> largest = largestCoordinates(mesh, patches.size());
   plan.assign(patches.size(), LayerSpecification{});
   for (std::size_t i = 1; i < patches.size(); ++i)
   {
@@ -256,11 +282,19 @@ Outcome planLayers(
     {
       return outcome;
     }
+    const std::string where =
+      "layers on " + patches[i].name + ": the first height " + textOf(plan[i].firstHeight);
     if (!(plan[i].firstHeight < extent))
     {
-      return Outcome::badInput("layers on " + patches[i].name + ": the first height " +
-        textOf(plan[i].firstHeight) + " is not below the largest extent of the mesh, " + textOf(extent) +
+      return Outcome::badInput(where + " is not below the largest extent of the mesh, " + textOf(extent) +
         ": give FirstHeight in the length unit of the surface");
+    }
+    if (const double coordinate = largest[i]; plan[i].firstHeight < LeastSpacings * spacingAt(coordinate))
+    {
+      return Outcome::badInput(where + " is less than " + std::to_string(LeastSpacings) +
+        " times the distance of neighbouring numbers at the wall's coordinates, which go up to " +
+        textOf(coordinate) +
+        ": give FirstHeight in the length unit of the surface, or move the body to the origin");
     }
   }
   return Outcome::done();

@@ -51,7 +51,7 @@ Outcome findWalls(
 // The plan: walls are the patches named; if none is named, all of type wall or wake; if no types are known
 // (all are `patch` or `wake`), every patch that is not a side of the bounding box.
 // BadInput where no wall is left, a pattern takes nothing, or a specification is impossible
-// (also: a first height not below the largest extent of the mesh).
+// (also: a first height not below the largest extent of the mesh, or too small to be told by the wall's coordinates).
 Outcome planLayers(
   const MeshData& mesh, const PatchTable& patches, const LayerRequest& request, LayerPlan& plan);
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace
 {
 using namespace ransmesh;
@@ -191,6 +193,19 @@ TEST(LayerPlanning, impossibleSpecificationsNameThePatch)
   const std::string message = messageOf(layered_box::patches(), r);
   EXPECT_TRUE(contains(message, "the first height 2 is not below the largest extent of the mesh, 1"))
     << message;
+}
+
+// At 1 neighbouring doubles are 2.2e-16 apart: heights of four times that would be off by an eighth.
+TEST(LayerPlanning, aHeightThatCoordinatesCannotTellIsAnError)
+{
+  LayerRequest r = request();
+  r.general.firstHeight = 4 * std::numeric_limits<double>::epsilon();
+  const std::string message = messageOf(layered_box::patches(), r);
+  EXPECT_TRUE(contains(message, "layers on floor: the first height 8.8")) << message;
+  EXPECT_TRUE(contains(message, "coordinates, which go up to 1:")) << message;
+  r.general.firstHeight = 6 * std::numeric_limits<double>::epsilon();
+  LayerPlan plan;
+  EXPECT_TRUE(planLayers(box(), layered_box::patches(), r, plan).ok());
 }
 
 TEST(LayerPlanning, longListsOfPatchesAreCut)

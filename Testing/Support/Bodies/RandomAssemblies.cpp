@@ -116,6 +116,17 @@ void chooseLayers(Dice& dice, RandomAssembly& result)
     isThin ? 1e-7 * result.scale : result.size * std::pow(10, dice.between(-1.5, 0.5)) / layers.thickness();
 }
 
+// Leaves out the lowest levels, which coordinates up to reach could not tell, a tenth of them on some wall.
+void keepToResolved(Layers& layers, double reach)
+{
+  constexpr double least = 2e-14;
+  while (layers.number > 1 && layers.firstHeight < least * reach)
+  {
+    --layers.number;
+    layers.firstHeight *= layers.growth;
+  }
+}
+
 // A third of the walls get their own.
 void choosePatchLayers(Dice& dice, RandomAssembly& result)
 {
@@ -201,6 +212,7 @@ RandomAssembly randomAssembly(std::uint32_t seed)
   {
     result.symmetryPlace = scale * (dice.between(-0.2, 0.2) + offset.z);
   }
+  keepToResolved(result.layers, scale * (1 + norm(offset)));
   place(surface, scale, offset);
   body.surface = std::move(surface);
   for (Body& sheet : body.sheets)
