@@ -22,6 +22,11 @@ bool risesLater(const ColumnSet& set, Index column)
   return column == None || set.columns[column].bend == None;
 }
 
+int unevennessOf(const ColumnSet& set, Index column)
+{
+  return column == None ? 0 : set.columns[column].unevenness;
+}
+
 namespace
 {
 // What faces need of the column at a vertex, in a small list that stays in the cache.
@@ -44,20 +49,36 @@ std::vector<Foot> feetOf(const TetMesh& mesh, const ColumnSet& set)
   return feet;
 }
 
-void sortRise(const ColumnSet& set, BaseFace& face)
+template <class Key>
+std::array<int, 3> cornersInOrder(Key key)
 {
+  std::array<int, 3> rise{ 0, 1, 2 };
   const auto order = [&](int& j, int& k)
   {
-    if (std::tuple(risesLater(set, face.column[k]), face.root[k], face.column[k]) <
-      std::tuple(risesLater(set, face.column[j]), face.root[j], face.column[j]))
+    if (key(k) < key(j))
     {
       std::swap(j, k);
     }
   };
-  face.rise = { 0, 1, 2 };
-  order(face.rise[0], face.rise[1]);
-  order(face.rise[1], face.rise[2]);
-  order(face.rise[0], face.rise[1]);
+  order(rise[0], rise[1]);
+  order(rise[1], rise[2]);
+  order(rise[0], rise[1]);
+  return rise;
+}
+
+void sortRise(const ColumnSet& set, BaseFace& face)
+{
+  face.rise = cornersInOrder(
+    [&](int j) { return std::tuple(risesLater(set, face.column[j]), face.root[j], face.column[j]); });
+  const bool isEven = std::all_of(
+    face.column.begin(), face.column.end(), [&set](Index c) { return unevennessOf(set, c) == 0; });
+  face.firstRise = isEven ? face.rise
+                          : cornersInOrder(
+                              [&](int j)
+                              {
+                                const Index c = face.column[j];
+                                return std::tuple(risesLater(set, c), unevennessOf(set, c), face.root[j], c);
+                              });
 }
 } // namespace
 

@@ -16,10 +16,11 @@ struct BaseFace
 
   Index face = None; // the boundary face
   int patch = 0;
-  std::array<Index, 3> column; // on the corners, turned into the fluid; None where none stands
-  std::array<int, 3> rise;     // corners in the order in which they rise at each level
-  std::array<Index, 3> vertex; // the corners
-  std::array<Index, 3> root;   // the wall's vertices below them; in a fan, corners share one
+  std::array<Index, 3> column;  // on the corners, turned into the fluid; None where none stands
+  std::array<int, 3> rise;      // corners in the order in which they rise at each level,
+  std::array<int, 3> firstRise; // but at the first one
+  std::array<Index, 3> vertex;  // the corners
+  std::array<Index, 3> root;    // the wall's vertices below them; in a fan, corners share one
   std::array<int, 3>
     sideOpposite{}; // patch beyond the edge opposite to the corner, where it is a side; else 0
 };
@@ -49,10 +50,14 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 // a bare vertex.
 bool risesLater(const ColumnSet& set, Index column);
 
+// Of the column; 0 for a bare vertex.
+int unevennessOf(const ColumnSet& set, Index column);
+
 // All faces that carry layers, those with a standing column for which their patch is not a side, by number.
 // Within a level columns rise in order of their roots' numbers, then of their own, in every face alike: that makes
 // neighbouring stacks match. Those of corners between walls of different heights rise first: they lean over the lower
-// wall, and would pass below its higher columns if these were there before them. That those of one root rise one after
+// wall, and would pass below its higher columns if these were there before them. In the first level the most even ones come
+// first: the tetrahedron on the wall's triangle is as high as that which rises first. That those of one root rise one after
 // the other keeps the bottoms of fans from having flat tetrahedra.
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set);
 

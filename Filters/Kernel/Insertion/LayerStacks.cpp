@@ -18,7 +18,7 @@ ColumnPoints::ColumnPoints(const ColumnSet& set, const std::vector<Index>& baseN
 
 Stack stackOf(const ColumnSet& set, const BaseFace& face)
 {
-  Stack stack{ face.root, {}, face.rise };
+  Stack stack{ face.root, {}, face.rise, face.firstRise };
   for (int j = 0; j < 3; ++j)
   {
     stack.levels[j] = face.column[j] == None ? 0 : set.columns[face.column[j]].levels;

@@ -44,7 +44,8 @@ struct Stack
 {
   std::array<Index, 3> root{}; // what each stands on; in a fan corners share one
   std::array<int, 3> levels{};
-  std::array<int, 3> rise{ 0, 1, 2 }; // the order within each level
+  std::array<int, 3> rise{ 0, 1, 2 };      // the order within each level
+  std::array<int, 3> firstRise{ 0, 1, 2 }; // but the first one
 };
 
 Stack stackOf(const ColumnSet& set, const BaseFace& face);
@@ -61,7 +62,7 @@ void forEachRise(const Stack& stack, Visit visit)
   BaseCorners corners(stack.root);
   for (int level = 0; level < highest; ++level)
   {
-    for (const int corner : stack.rise)
+    for (const int corner : level == 0 ? stack.firstRise : stack.rise)
     {
       if (level < stack.levels[corner])
       {

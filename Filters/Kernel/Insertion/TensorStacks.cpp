@@ -91,8 +91,14 @@ private:
     std::map<std::size_t, Index> chains; // by slot of the base point
   };
 
-  // In which chains rise, as columns do in stacks without grids, which these meet: of a grid, risesLater, root.
-  using ChainOrder = std::tuple<bool, bool, Index>;
+  // In which chains rise, as columns do in stacks without grids, which these meet.
+  struct ChainOrder
+  {
+    bool isOfGrid = true;
+    bool risesLater = true;
+    int unevenness = 0; // counts in the first level
+    Index root = None;
+  };
 
   Grid& gridOf(Index corner)
   {
@@ -128,7 +134,7 @@ private:
         origin.patch = patch;
       }
       found->second =
-        addChain(std::move(chain), { true, true, set_.columns[set_.corners[corner].column].root });
+        addChain(std::move(chain), { true, true, 0, set_.columns[set_.corners[corner].column].root });
     }
     return found->second;
   }
@@ -145,7 +151,8 @@ private:
       {
         chain.push_back(numbers_.at(face.column[j], level));
       }
-      found->second = addChain(std::move(chain), { false, risesLater(set_, face.column[j]), face.root[j] });
+      found->second = addChain(std::move(chain),
+        { false, risesLater(set_, face.column[j]), unevennessOf(set_, face.column[j]), face.root[j] });
     }
     return found->second;
   }
@@ -190,8 +197,16 @@ private:
     }
     // Columns rise before grid points: at a strip's end the column lies in the grid's halving plane, and a
     // tetrahedron of it and the points below the plane's would be flat.
-    const auto key = [&](int j) { return std::pair(orderOfChain_[chains[j]], chains[j]); };
-    std::sort(t.stack.rise.begin(), t.stack.rise.end(), [&key](int j, int k) { return key(j) < key(k); });
+    const auto key = [&](int j, bool isFirst)
+    {
+      const ChainOrder& order = orderOfChain_[chains[j]];
+      return std::tuple(
+        order.isOfGrid, order.risesLater, isFirst ? order.unevenness : 0, order.root, chains[j]);
+    };
+    std::sort(t.stack.rise.begin(), t.stack.rise.end(),
+      [&key](int j, int k) { return key(j, false) < key(k, false); });
+    std::sort(t.stack.firstRise.begin(), t.stack.firstRise.end(),
+      [&key](int j, int k) { return key(j, true) < key(k, true); });
     out_.stacks.push_back(t);
   }
 

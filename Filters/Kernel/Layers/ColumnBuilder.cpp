@@ -244,6 +244,7 @@ private:
     {
       return StopReason::Complete;
     }
+    column.unevenness = static_cast<int>(10 * std::min(1.0, largestMiss(s.walls, column.direction)));
     return seesAll ? StopReason::Complete : whyUnseen(carrying, column.base);
   }
 

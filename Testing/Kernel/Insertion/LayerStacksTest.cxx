@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace ransmesh;
 using namespace grid_mesh;
 
@@ -79,8 +81,37 @@ TEST(LayerStacks, CornersRiseLevelByLevelInOneOrder)
   face.column = { None, 0, 1 }; // a column without levels does not stand
   face.root = { 5, 6, 7 };
   face.rise = { 0, 1, 2 };
+  face.firstRise = face.rise;
   const Rises wanted = { { 0, 1, false }, { 0, 2, false }, { 1, 1, false }, { 2, 1, false } };
   EXPECT_EQ(risesOf(stackOf(plate.set, face)), wanted);
+}
+
+TEST(LayerStacks, InTheFirstLevelTheMostEvenColumnsRiseFirst)
+{
+  Plate plate;
+  plate.set.columns[1].unevenness = 3;
+  plate.set.columns[2].unevenness = 1;
+  bool found = false;
+  for (const BaseFace& face : collectBaseFaces(plate.mesh, plate.set))
+  {
+    const auto inOrder = [&face](const std::array<int, 3>& rise) {
+      return std::array{ face.column[rise[0]], face.column[rise[1]], face.column[rise[2]] };
+    };
+    const auto columns = inOrder(face.rise);
+    EXPECT_TRUE(std::is_sorted(columns.begin(), columns.end()));
+    const auto unevenness = [&plate](Index c) { return plate.set.columns[c].unevenness; };
+    const auto first = inOrder(face.firstRise);
+    EXPECT_TRUE(std::is_sorted(first.begin(), first.end(),
+      [&](Index a, Index b) { return std::pair(unevenness(a), a) < std::pair(unevenness(b), b); }));
+    if (columns != first)
+    {
+      found = true;
+      const Rises rises = risesOf(stackOf(plate.set, face));
+      EXPECT_EQ(std::get<1>(rises[0]), face.firstRise[0]);
+      EXPECT_EQ(std::get<1>(rises[3]), face.rise[0]);
+    }
+  }
+  EXPECT_TRUE(found);
 }
 
 TEST(LayerStacks, TetrahedraWithOnePointTwiceAreFlat)
@@ -92,7 +123,7 @@ TEST(LayerStacks, TetrahedraWithOnePointTwiceAreFlat)
   EXPECT_EQ(risesOf(edge), onEdge);
   EXPECT_EQ(countTets(edge), 5u);
   // The single one first: it stays flat until one of the two has risen.
-  const Stack single{ { 3, 3, 8 }, { 1, 1, 1 }, { 2, 0, 1 } };
+  const Stack single{ { 3, 3, 8 }, { 1, 1, 1 }, { 0, 1, 2 }, { 2, 0, 1 } };
   EXPECT_EQ(countTets(single), 1u);
   // Three columns on one root.
   const Stack point{ { 3, 3, 3 }, { 2, 2, 2 }, { 0, 1, 2 } };
