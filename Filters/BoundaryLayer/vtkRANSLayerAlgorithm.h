@@ -186,7 +186,7 @@ public:
 
   ///@{
   /**
-   * Wall faces that turn more than this at a point get normals of their own, in degrees, 0 to 180.
+   * Wall faces that turn more than this at a point get normals of their own, in degrees, above 0, to 180.
    * Default 30.
    */
   vtkSetMacro(NormalAngle, double);
@@ -195,7 +195,7 @@ public:
 
   ///@{
   /**
-   * Opening between the normals of a fan, in degrees. Default 30.
+   * Largest angle between neighbouring columns of a fan, in degrees, 5 to 180. Default 30.
    */
   vtkSetMacro(FanAngle, double);
   vtkGetMacro(FanAngle, double);
@@ -211,7 +211,8 @@ public:
 
   ///@{
   /**
-   * How far a swap of diagonals may turn the surface, in degrees. Default 10.
+   * No triangle of a patch that the layers run into may turn by more than this, in degrees, 0 to 90, when points are
+   * removed or layers rise along it. Default 10.
    */
   vtkSetMacro(MaximumSurfaceAngle, double);
   vtkGetMacro(MaximumSurfaceAngle, double);
