@@ -26,7 +26,6 @@ assert Fetch(mesher).GetNumberOfCells() > 0
 # No wall is left.
 removal = RANSPointRemoval(Input=mesher, FirstHeight=1e-3)
 removal.WallPatches = []
-window.Initialize() if hasattr(window, "Initialize") else None
 simple.UpdatePipeline(proxy=removal)
 text = window.GetOutput()
 assert "no patch is a viscous wall" in text, text
