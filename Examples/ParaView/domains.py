@@ -12,6 +12,7 @@ surface. Without a display, run it under `xvfb-run -a`.
 import os
 import sys
 
+from paraview.servermanager import Fetch
 from paraview.simple import (CreateView, LoadPlugin, OpenDataFile, Render, ResetCamera, SaveData,
                              SaveScreenshot, Show, UpdatePipeline)
 
@@ -40,11 +41,8 @@ def adopted(file, _):
 
 def patch_numbers(source):
     """The numbers of the patches by their names."""
-    names = source.GetFieldDataInformation().GetArray("PatchNames")
-    count = names.GetNumberOfTuples() if names else 0
-    from paraview import servermanager
-    fetched = servermanager.Fetch(source).GetFieldData().GetAbstractArray("PatchNames")
-    return {fetched.GetValue(i): i for i in range(1, max(count, fetched.GetNumberOfValues()))}
+    names = Fetch(source).GetFieldData().GetAbstractArray("PatchNames")
+    return {names.GetValue(i): i for i in range(1, names.GetNumberOfValues())}
 
 
 def size_of(source):

@@ -220,7 +220,7 @@ class Interrupts(CommandLineTest):
             time.sleep(0.05)
         time.sleep(0.5)
         program.send_signal(number)
-        _, errors = program.communicate(timeout=30)
+        _, errors = program.communicate(timeout=900)
         self.assertEqual(program.returncode, 1, errors)
         self.assertIn("stopped on request", errors)
         self.assertEqual(os.listdir(self.folder), [])

@@ -13,7 +13,7 @@
 
 namespace
 {
-// The volume of each region, region 1 first.
+// The volumes of the regions, the smallest first.
 std::vector<double> volumesOf(const ransmesh::MeshData& mesh)
 {
   std::vector<double> volumes;

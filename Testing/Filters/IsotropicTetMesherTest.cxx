@@ -24,6 +24,8 @@ TEST(IsotropicTetMesher, FillsACube)
   const auto* switches = vtkStringArray::SafeDownCast(
     mesher->GetOutput()->GetFieldData()->GetAbstractArray(ransmesh::contract::MesherSwitches));
   ASSERT_TRUE(switches);
+  ASSERT_EQ(switches->GetNumberOfValues(), 1);
+  EXPECT_EQ(switches->GetValue(0).find("pq"), 0u) << switches->GetValue(0);
 }
 
 TEST(IsotropicTetMesher, TakesPolygonsAndKeepsTheSurface)

@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -84,6 +83,9 @@ protected:
       ->GetValue(0);
   }
 
+  // A worker that hangs. Where it is waited for all the same, it counts as a run.
+  void UseHangingScript() { this->UseScript("sleep 100; echo run >> " + this->Script.string() + ".runs"); }
+
   // How often it was called.
   int Runs() const
   {
@@ -117,11 +119,6 @@ vtkSmartPointer<vtkPolyData> obtuseCube()
                                    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 0.5, 0.49, 1 } },
     { { 0, 2, 1 }, { 0, 3, 2 }, { 0, 1, 5 }, { 0, 5, 4 }, { 1, 2, 6 }, { 1, 6, 5 }, { 2, 3, 7 }, { 2, 7, 6 },
       { 3, 0, 4 }, { 3, 4, 7 }, { 4, 5, 8 }, { 5, 6, 8 }, { 4, 8, 6 }, { 4, 6, 7 } });
-}
-
-double secondsSince(std::chrono::steady_clock::time_point began)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
 }
 } // namespace
 
@@ -177,11 +174,10 @@ TEST_F(Worker, LeavingAMeshThatIsCutShort)
 
 TEST_F(Worker, Hanging)
 {
-  this->UseScript("sleep 100");
+  this->UseHangingScript();
   this->Mesher->SetWorkerTimeLimit(0.3);
-  const auto began = std::chrono::steady_clock::now();
   EXPECT_TRUE(contains(this->Error(), "time limit"));
-  EXPECT_LT(secondsSince(began), 20);
+  EXPECT_EQ(this->Runs(), 0);
 }
 
 TEST_F(Worker, PrintingWithoutEnd)
@@ -193,14 +189,13 @@ TEST_F(Worker, PrintingWithoutEnd)
 
 TEST_F(Worker, StoppedByTheUser)
 {
-  this->UseScript("sleep 100");
+  this->UseHangingScript();
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
     { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   this->Mesher->AddObserver(vtkCommand::ProgressEvent, stop);
-  const auto began = std::chrono::steady_clock::now();
   EXPECT_EQ(this->Error(), "");
-  EXPECT_LT(secondsSince(began), 20);
+  EXPECT_EQ(this->Runs(), 0);
 }
 
 TEST_F(Worker, IsTriedWithAFinerTolerance)

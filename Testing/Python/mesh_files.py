@@ -3,6 +3,7 @@
 SU2 and UGRID have no such reader here: theirs are below, written from the formats' specifications.
 """
 import ctypes
+import ctypes.util
 import itertools
 import os
 import shutil
@@ -117,7 +118,6 @@ def read_su2(path):
 
 def read_su2_zones(path):
     """A mesh for each zone: https://su2code.github.io/docs_v7/Multizone/"""
-    sizes = {10: 4, 14: 5, 13: 6, 12: 8, 5: 3, 9: 4}
     with open(path, encoding="utf-8") as file:
         lines = iter([line for line in file if not line.startswith("%")])
 
@@ -128,7 +128,7 @@ def read_su2_zones(path):
 
     def element():
         words = next(lines).split()
-        return [int(w) for w in words[1:1 + sizes[int(words[0])]]]
+        return [int(w) for w in words[1:1 + VTK_SIZES[int(words[0])]]]
 
     def zone():
         assert value("NDIME") == "3"
@@ -213,7 +213,7 @@ def read_mapbc(path):
 
 
 def read_gmsh(path):
-    """By gmsh's own program interface. A physical volume's name is put beside the patches, as None: its name."""
+    """By gmsh's own program interface. Physical volumes are regions, if there are several."""
     import gmsh
     gmsh.initialize()
     try:
@@ -330,7 +330,7 @@ def read_cgns(path):
 
 def cgns_regions(path):
     """{name: keys of cells} of the sub-regions of a file's zone, by libcgns itself."""
-    cgns = ctypes.CDLL("libcgns.so.3.4" if os.path.exists("/usr/lib/x86_64-linux-gnu/libcgns.so.3.4") else "libcgns.so")
+    cgns = ctypes.CDLL(ctypes.util.find_library("cgns"))
     sizes = {10: 4, 12: 5, 14: 6, 17: 8}  # corners by CGNS's number of the shape
 
     def call(name, *arguments):

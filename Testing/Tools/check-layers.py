@@ -1,6 +1,7 @@
 """The kernel includes no VTK and no TetGen, and its folders only what lies below them.
 
-    check-layers.py SOURCE_DIR     prints each include that breaks a rule; status 1 if there is one
+    check-layers.py SOURCE_DIR     prints each include that breaks a rule; status 1 if there is one, 2 if the folder
+                                   is not that of the project
 """
 import pathlib
 import re
@@ -47,6 +48,9 @@ def module_fault(path, name):
 def main(root):
     faults = []
     kernel = root / "Filters" / "Kernel"
+    if not kernel.is_dir():
+        print(f"{root} has no folder Filters/Kernel: give the project's own")
+        return 2
     for path in sorted([*(root / "Filters").rglob("*.h"), *(root / "Filters").rglob("*.c*")]):
         if path.suffix not in (".h", ".cpp", ".cxx"):
             continue
