@@ -75,6 +75,7 @@ class Options(CommandLineTest):
         self.assertGreater(self.cells("--first-height", "1e-3", "--thickness", "0.03", "--growth", "1.05"), few)
         self.assertLess(self.cells(*LAYERS, "--walls", "body"), few)
         self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "base"), few)
+        self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "--walls", "base"), few)
 
     def test_wakes(self):
         points, triangles = surfaces.sheet((0.3, 0.3, 0.5), (0.4, 0, 0), (0, 0.4, 0), 4)
@@ -234,6 +235,7 @@ class Report(CommandLineTest):
     def test_content(self):
         report = self.report_of(self.box_obj(), "--walls", "bottom", *LAYERS)
         self.assertEqual(report["request"]["walls"], ["bottom"])
+        self.assertEqual(report["request"]["arguments"][1:3], ["--walls", "bottom"])
         self.assertEqual(report["request"]["layers"], 6)
         self.assertEqual(sorted(report["seconds"]),
                          ["enrichment", "isotropic mesh", "quality report", "removal of points"])

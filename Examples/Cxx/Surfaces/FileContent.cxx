@@ -45,8 +45,8 @@ std::string readFile(const std::string& path)
   {
     content.append(block.data(), count);
   }
-  const bool whole = count == 0 && gzclose(file) == Z_OK;
-  if (!whole)
+  const bool isClosed = gzclose(file) == Z_OK; // it knows of an end too early
+  if (count != 0 || !isClosed)
   {
     throw std::runtime_error(path + ": is damaged: it cannot be unpacked to its end");
   }

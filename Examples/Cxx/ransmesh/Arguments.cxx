@@ -87,6 +87,12 @@ std::vector<std::string> valuesOf(Arguments& arguments, const std::string& optio
   return values;
 }
 
+void addValues(Arguments& arguments, const std::string& option, std::vector<std::string>& values)
+{
+  const std::vector<std::string> more = valuesOf(arguments, option);
+  values.insert(values.end(), more.begin(), more.end());
+}
+
 bool endsWith(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;

@@ -36,6 +36,8 @@ double positiveOf(Arguments& arguments, const std::string& option, double atLeas
 int countOf(Arguments& arguments, const std::string& option); // above 0
 // One or more values, up to the next option.
 std::vector<std::string> valuesOf(Arguments& arguments, const std::string& option);
+// The same behind those that an option that is given several times has already.
+void addValues(Arguments& arguments, const std::string& option, std::vector<std::string>& values);
 
 bool endsWith(const std::string& text, const std::string& end);
 

@@ -98,7 +98,7 @@ const OptionGroup& domainOptions()
       { "--symmetry-plane", [](O& o, A& a, S& name) { o.symmetry = planeOf(a, name); } },
       { "--waterline", [](O& o, A& a, S& name) { o.waterline = planeOf(a, name); } },
       { "--ground", [](O& o, A& a, S& name) { o.ground = planeOf(a, name); } },
-      { "--keep-inside", [](O& o, A& a, S& name) { o.keptInsides = valuesOf(a, name); } },
+      { "--keep-inside", [](O& o, A& a, S& name) { addValues(a, name, o.keptInsides); } },
       { "--size", [](O& o, A& a, S& name) { o.size = positiveOf(a, name); } },
       { "--size-growth", [](O& o, A& a, S& name) { o.sizeGrowth = positiveOf(a, name, 1); } },
       { "--refine-box", [](O& o, A& a, S& name) { o.refine.boxes.push_back(numbersOf<7>(a, name)); } },

@@ -36,7 +36,7 @@ const OptionGroup& layerOptions()
   using S = const std::string;
   static const OptionGroup group = {
     {
-      { "--walls", [](O& o, A& a, S& name) { o.walls = valuesOf(a, name); } },
+      { "--walls", [](O& o, A& a, S& name) { addValues(a, name, o.walls); } },
       { "--first-height", [](O& o, A& a, S& name) { o.firstHeight = positiveOf(a, name); } },
       { "--growth", [](O& o, A& a, S& name) { o.growth = positiveOf(a, name, 1); } },
       { "--layers", [](O& o, A& a, S& name) { o.layers = countOf(a, name); } },
@@ -51,8 +51,9 @@ Layers
   --growth G            ratio of successive spacings (1.2)
   --layers N            number of layers (25)
   --thickness T         thickness of all layers; their number follows
-  --walls PATTERN...    the viscous walls by patch name, * and ? allowed (every patch that is
-                        not a side of a box); goes on to the next option
+  --walls PATTERN...    the viscous walls by patch name, * and ? allowed (those of type wall or wake;
+                        if no types are known, every patch that is not a side of a box); goes on to
+                        the next option
   --prisms              layers of prisms (wedges, hexahedra in corners, pyramids where they end)
                         instead of tetrahedra
   --isotropic-only      stop after the first stage: no layers

@@ -102,10 +102,7 @@ vtkSmartPointer<vtkSolverMeshWriter> solverWriterFor(const std::string& path)
 {
   return vtkSmartPointer<vtkSolverMeshWriter>::Take(vtkSolverMeshWriter::NewForFile(path.c_str()));
 }
-} // namespace
 
-namespace
-{
 // OpenFOAM's mesh, a folder, which the writer makes.
 bool endsInPolyMesh(const std::string& path)
 {

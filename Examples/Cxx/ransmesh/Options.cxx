@@ -34,6 +34,7 @@ bool Options::isMesh() const
 Options parseOptions(const std::vector<std::string>& words)
 {
   Options options;
+  options.words = words;
   Arguments arguments(words);
   while (!arguments.atEnd())
   {

@@ -79,6 +79,7 @@ struct SideOption
 
 struct Options
 {
+  std::vector<std::string> words;    // as they were given
   std::vector<std::string> surfaces; // or one mesh
   std::vector<std::string> wakes;    // files of sheets
   std::string output;

@@ -38,6 +38,7 @@ void addIfGiven(Json& object, const std::string& key, double value)
 Json requestOf(const Options& options)
 {
   Json request = Json::object();
+  request.add("arguments", textsOf(options.words));
   request.add("surfaces", textsOf(options.surfaces));
   request.add("output", Json::text(options.output));
   request.add("isotropic_only", Json::truth(options.isotropicOnly));

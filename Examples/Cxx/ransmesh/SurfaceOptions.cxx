@@ -70,7 +70,7 @@ const OptionGroup& surfaceOptions()
   using S = const std::string;
   static const OptionGroup group = {
     {
-      { "--wake", [](O& o, A& a, S& name) { o.wakes = valuesOf(a, name); } },
+      { "--wake", [](O& o, A& a, S& name) { addValues(a, name, o.wakes); } },
       { "--surface-size", addSize },
       { "--edges-per-circle", [](O& o, A& a, S& name) { o.remesh.edgesPerCircle = positiveOf(a, name); } },
       { "--edges-across-gap", [](O& o, A& a, S& name) { o.remesh.edgesAcrossGap = positiveOf(a, name); } },
