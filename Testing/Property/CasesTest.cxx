@@ -64,15 +64,11 @@ double shareOfFullColumns(const Case& c, const chain_run::ChainResult& result)
 }
 
 // Of the walls: how much must have the first height asked for. Coarse triangles count for much: those at the tip of a
-// narrow cone from inside, of a cylinder beside the floor it lies on, and a row between walls of different
-// first heights.
+// narrow cone from inside, of a cylinder beside the floor it lies on.
 double leastArea(const Case& c)
 {
   const auto isA = [&c](const char* what) { return c.name.find(what) != std::string::npos; };
-  return isA("cone-inside10")                           ? 0.98
-    : isA("cylinder-floor")                             ? 0.96
-    : isA("floors") && c.patchLayers[0].firstHeight > 1 ? 0.87
-                                                        : 0.999;
+  return isA("cone-inside10") ? 0.98 : isA("cylinder-floor") ? 0.96 : 0.999;
 }
 
 // Marked points that removal may leave. In a slot narrower than the layers the edges on both sides of its end stand in

@@ -43,7 +43,7 @@ struct Column
   Index bend = None;                // has places of its own, between walls of different heights
   Index squeezed = None;            // its own heights, where room is short; None: its patch's
   double size = 0;                  // mean length of the wall's edges here
-  int unevenness = 0;   // tenths of a level that it may rise too high or too low above a wall face
+  int unevenness = 0;   // tenths of the first height that it may rise too high or too low above a wall face
   int asked = 0;        // layers asked for
   int levels = 0;       // layers that it is to have, or has
   bool hasGrid = false; // it stands in a tensor corner

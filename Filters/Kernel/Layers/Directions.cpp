@@ -27,12 +27,12 @@ const Vector3& mostMissed(std::span<const FaceAtVertex> walls, const Vector3& st
     ->normal;
 }
 
-} // namespace
-
+// By how much the step's rise differs from one above that face.
 double largestMiss(std::span<const FaceAtVertex> walls, const Vector3& step)
 {
   return std::fabs(1 - dot(mostMissed(walls, step), step));
 }
+} // namespace
 
 SideProjection::SideProjection(const std::vector<Vector3>& normals)
 {

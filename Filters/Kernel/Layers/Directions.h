@@ -39,9 +39,6 @@ std::vector<Vector3> normalsOf(std::span<const FaceAtVertex> faces);
 // found would see some face markedly worse: at tips.
 Vector3 evenStep(std::span<const FaceAtVertex> walls, const SideProjection& lay, const Vector3& d);
 
-// By how much the step's rise differs from one above the face where it does most.
-double largestMiss(std::span<const FaceAtVertex> walls, const Vector3& step);
-
 // The step along the unit direction d that rises by one above the faces, on their average; at most 8 long.
 Vector3 scaledStep(std::span<const FaceAtVertex> walls, const Vector3& d);
 } // namespace ransmesh

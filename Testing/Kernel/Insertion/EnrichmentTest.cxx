@@ -155,6 +155,44 @@ TEST(Enrichment, WallsOfDifferentLayersMeet)
   EXPECT_EQ(columns[ZLow], 4 * 5);
 }
 
+// The columns on their common edge have one height, those beside it have the triangles' own.
+TEST(Enrichment, TrianglesBesideAWallOfOtherHeightsHaveTheirOwn)
+{
+  const auto split = [](Side side, const Vector3& middle)
+  { return side == ZLow && middle.y < 0.5 ? 7 : static_cast<int>(side); };
+  for (const double ratio : { 0.2, 5.0 })
+  {
+    LayerPlan plan = planFor(8, { ZLow, 7 }, 1e-4, 10);
+    plan[7].firstHeight = ratio * 1e-4;
+    const auto enriched = enrichAndCheck(make({ 6, 6, 4 }, split), patches(PatchType::Symmetry, 7), plan);
+    std::map<std::set<Index>, double> wanted; // by the wall's triangles
+    for (std::size_t i = 0; i < enriched.mesh.triangles.size(); ++i)
+    {
+      const int patch = enriched.mesh.trianglePatch[i];
+      if (plan[patch].hasLayers())
+      {
+        const auto& v = enriched.mesh.triangles[i];
+        wanted[{ v.begin(), v.end() }] = plan[patch].firstHeight;
+      }
+    }
+    std::size_t found = 0;
+    for (const auto& v : enriched.mesh.tetrahedra)
+    {
+      for (std::size_t apex = 0; apex < 4; ++apex)
+      {
+        std::set<Index> others(v.begin(), v.end());
+        others.erase(v[apex]);
+        if (const auto at = wanted.find(others); at != wanted.end())
+        {
+          EXPECT_NEAR(enriched.mesh.points[v[apex]].z, at->second, 1e-6 * at->second);
+          ++found;
+        }
+      }
+    }
+    EXPECT_EQ(found, wanted.size());
+  }
+}
+
 TEST(Enrichment, AnInterfaceIsNotTouched)
 {
   const MeshData mesh = make({ 5, 4, 4 });
