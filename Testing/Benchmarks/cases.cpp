@@ -18,8 +18,10 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -45,75 +47,91 @@ struct UsageError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+// The words of the command line that have not been read yet.
+class Words
+{
+public:
+  Words(int argc, char** argv)
+    : words_(argv + 1, argv + argc)
+  {
+  }
+  bool atEnd() const { return at_ == words_.size(); }
+  bool atValue() const { return !atEnd() && words_[at_][0] != '-'; }
+  const std::string& next() { return words_[at_++]; }
+  const std::string& valueOf(const std::string& option)
+  {
+    if (atEnd())
+    {
+      throw UsageError(option + " needs a value");
+    }
+    return next();
+  }
+
+private:
+  std::vector<std::string> words_;
+  std::size_t at_ = 0;
+};
+
+double numberOf(Words& words, const std::string& option)
+{
+  const std::string word = words.valueOf(option);
+  char* end = nullptr;
+  const double number = std::strtod(word.c_str(), &end);
+  if (word.empty() || *end != 0)
+  {
+    throw UsageError(option + " needs a number, not " + word);
+  }
+  return number;
+}
+
+void readWalls(Arguments& a, Words& words, const std::string& option)
+{
+  do
+  {
+    a.options.walls.push_back(words.valueOf(option));
+  } while (words.atValue());
+}
+
+using Reader = void (*)(Arguments&, Words&, const std::string&);
+
+const std::map<std::string, Reader>& readers()
+{
+  using A = Arguments;
+  using S = const std::string;
+  static const std::map<std::string, Reader> all = {
+    { "--size", [](A& a, Words& w, S& name) { a.size = numberOf(w, name); } },
+    { "--h0", [](A& a, Words& w, S& name) { a.firstHeight = numberOf(w, name); } },
+    { "--layers", [](A& a, Words& w, S& name) { a.options.layers = static_cast<int>(numberOf(w, name)); } },
+    { "--growth", [](A& a, Words& w, S& name) { a.options.growth = numberOf(w, name); } },
+    { "--swap-angle", [](A& a, Words& w, S& name) { a.options.swapAngle = numberOf(w, name); } },
+    { "--thickness", [](A& a, Words& w, S& name) { a.thickness = numberOf(w, name); } },
+    { "--far-field", [](A& a, Words&, S&) { a.options.farField = true; } },
+    { "--walls", readWalls },
+    { "-o", [](A& a, Words& w, S& name) { a.mesh = w.valueOf(name); } },
+    { "--surface", [](A& a, Words& w, S& name) { a.surface = w.valueOf(name); } },
+    { "--json", [](A& a, Words& w, S& name) { a.json = w.valueOf(name); } },
+  };
+  return all;
+}
+
 Arguments parse(int argc, char** argv)
 {
   Arguments a;
-  for (int i = 1; i < argc; ++i)
+  for (Words words(argc, argv); !words.atEnd();)
   {
-    const std::string word = argv[i];
-    const auto next = [&]
+    const bool isSubject = words.atValue();
+    const std::string& word = words.next();
+    if (isSubject)
     {
-      if (i + 1 == argc)
-      {
-        throw UsageError(word + " needs a value");
-      }
-      return std::string(argv[++i]);
-    };
-    if (word == "--size")
-    {
-      a.size = std::stod(next());
+      a.subject = word;
+      continue;
     }
-    else if (word == "--h0")
-    {
-      a.firstHeight = std::stod(next());
-    }
-    else if (word == "--layers")
-    {
-      a.options.layers = std::stoi(next());
-    }
-    else if (word == "--growth")
-    {
-      a.options.growth = std::stod(next());
-    }
-    else if (word == "--swap-angle")
-    {
-      a.options.swapAngle = std::stod(next());
-    }
-    else if (word == "--thickness")
-    {
-      a.thickness = std::stod(next());
-    }
-    else if (word == "--far-field")
-    {
-      a.options.farField = true;
-    }
-    else if (word == "--walls")
-    {
-      while (i + 1 < argc && argv[i + 1][0] != '-')
-      {
-        a.options.walls.push_back(next());
-      }
-    }
-    else if (word == "-o")
-    {
-      a.mesh = next();
-    }
-    else if (word == "--surface")
-    {
-      a.surface = next();
-    }
-    else if (word == "--json")
-    {
-      a.json = next();
-    }
-    else if (word[0] == '-')
+    const auto reader = readers().find(word);
+    if (reader == readers().end())
     {
       throw UsageError(word + " is no option");
     }
-    else
-    {
-      a.subject = word;
-    }
+    reader->second(a, words, word);
   }
   if (a.subject.empty())
   {
