@@ -109,12 +109,14 @@ TEST_F(PrismRecombination, CellsKeepTheirArrays)
   EXPECT_TRUE(grid->GetFieldData()->GetAbstractArray(contract::PatchNames));
 }
 
-TEST_F(PrismRecombination, ConvexEdgesAndCornersStayConforming)
+TEST_F(PrismRecombination, ConcaveEdgesAndCornersBecomeHexahedraAndStayConforming)
 {
   this->MakeLayers({ ZLow, grid_mesh::XLow, grid_mesh::YLow }); // tensor grids inside the cube
   this->Filter->Update();
-  this->Read(this->Filter->GetOutput());
-  EXPECT_GT(this->Filter->GetShareOfLayers(), 0.8);
+  const ransmesh::MixedMesh mesh = this->Read(this->Filter->GetOutput());
+  EXPECT_GT(mesh.hexahedra.size(), 0U);
+  EXPECT_EQ(static_cast<std::size_t>(this->Filter->GetNumberOfHexahedra()), mesh.hexahedra.size());
+  EXPECT_GT(this->Filter->GetShareOfLayers(), 0.95);
 }
 
 TEST_F(PrismRecombination, TheReportKnowsPrisms)
