@@ -157,5 +157,10 @@ TEST(LayerSpecification, everyImpossibleOneSaysWhatToDo)
       contains(messageWhen([bad](LayerSpecification& s) { s.normalAngle = bad; }), "set NormalAngle"));
     EXPECT_TRUE(contains(messageWhen([bad](LayerSpecification& s) { s.fanAngle = bad; }), "set FanAngle"));
   }
+  EXPECT_TRUE(contains(messageWhen([](LayerSpecification& s) { s.normalAngle = 181; }), "set NormalAngle"));
+  for (const double bad : { 4.9, 181.0 })
+  {
+    EXPECT_TRUE(contains(messageWhen([bad](LayerSpecification& s) { s.fanAngle = bad; }), "set FanAngle"));
+  }
 }
 } // namespace

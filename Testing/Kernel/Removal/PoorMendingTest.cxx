@@ -95,8 +95,13 @@ TEST_F(PoorMendings, TriesAgainWhereOthersHaveChangedTheMesh)
   const Vector3 from = mesh_.point(v);
   EXPECT_TRUE(mending_.moveTowards(v, from + Vector3{ 0.1, 0.05, 0.02 }, -1e3));
   EXPECT_NE(mesh_.point(v), from);
+  TetMesh copy = mesh_;
+  PoorMending fresh(copy, rules_);
+  fresh.begin();
   mending_.begin();
-  mending_.swapAround(v, 1);
+  const std::size_t swaps = mending_.swapAround(v, 1);
+  EXPECT_GT(swaps, 0u);
+  EXPECT_EQ(swaps, fresh.swapAround(v, 1));
   invariants::expectValid(mesh_);
 }
 } // namespace
