@@ -46,8 +46,8 @@ void KeptDomain::remember(const MeshData& data, const PatchTable& patches)
   hadFlat_ = anyIsFlat(data);
 }
 
-// Beside tetrahedra that are flat but
-// for rounding, which stars may make in a plane, a triangle of it may be turned over.
+// Beside tetrahedra that are flat but for rounding, which stars may make in a plane, a triangle of it may be turned
+// over: areas are not compared then.
 std::string KeptDomain::findChange(const MeshData& data)
 {
   const auto differs = [](double now, double before) { return std::fabs(now - before) > 1e-9 * before; };

@@ -182,6 +182,10 @@ TEST(StackFolds, CrossingColumnsAreFoundAndMended)
   plate.raise();
   const std::vector<BaseFace> faces = collectBaseFaces(plate.mesh, plate.set);
   EXPECT_FALSE(findFoldedStacks(plate.mesh, plate.set, faces).empty());
+  std::vector<Index> left;
+  EXPECT_TRUE(mendFolds(plate.mesh, plate.set, left));
+  EXPECT_TRUE(left.empty());
+  EXPECT_TRUE(findFoldedStacks(plate.mesh, plate.set, collectBaseFaces(plate.mesh, plate.set)).empty());
 }
 
 TEST(StackFolds, PlannedColumnsThatCrossAreLowered)

@@ -325,6 +325,7 @@ void addDegenerate(std::vector<BrokenBody>& all)
   all.push_back({ "degenerate-collapsed", collapsed, SurfaceFault::Degenerate, 1,
     { static_cast<Index>(collapsed.surface.triangles.size()) - 1 }, true, End::Meshed });
 }
+
 // The triangle whose middle comes nearest to a place.
 Index triangleNear(const SurfaceMesh& s, const Vector3& place)
 {

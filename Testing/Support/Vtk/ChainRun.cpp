@@ -200,10 +200,7 @@ void judge(vtkPolyData* boundary, const ChainOptions& options, ChainResult& resu
   result.columnsWithTheirLayers = columnsWithTheirLayers(mesh, plan, inGaps);
   result.growthOff = growthOff(mesh, column, plan);
 }
-} // namespace
 
-namespace
-{
 ChainResult runFilters(vtkIsotropicTetMesher* mesher, vtkPolyData* surface, const ChainOptions& options)
 {
   ChainResult result;
