@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Boundary/BoundaryRules.h"
+#include "Improvement/FacePair.h"
 #include "Improvement/FaceView.h"
 #include "Mesh/LocalNumbers.h"
 #include "Mesh/TetMesh.h"
@@ -40,7 +41,8 @@ public:
   double worstFrom(int apex, double floor);
   // Whether all tetrahedra of that collapse are positive in exact arithmetic.
   bool allPositiveFrom(int apex) const;
-  // How many tetrahedra of that collapse would be no better than floor; gives up as soon as there are `most`.
+  // How many tetrahedra of that collapse would be no better than floor; gives up, with `most` or more, as soon as
+  // there are so many.
   std::size_t countPoor(int apex, double floor, std::size_t most) const;
 
   // The ball grows beyond every face that sees the apex no better than floor, by at most budget
@@ -51,29 +53,52 @@ public:
   const std::vector<Index>& grownStarred() const { return starred_; }
 
 private:
-  // The face of a tetrahedron of the ball opposite to v.
+  // An outer face of what is to be starred: first the faces opposite to v, one for each tetrahedron of the ball.
   struct Face
   {
     bool has(int end) const { return corner[0] == end || corner[1] == end || corner[2] == end; }
 
-    std::array<int, 3> corner; // local numbers
+    FacePair::Corners corner; // local numbers
     HalfFace beyond;
+  };
+  // How the walk over the ball comes to a tetrahedron.
+  struct Entry
+  {
+    int corner; // the one that the tetrahedron before does not have
+    int next;   // local numbers of the two that follow it in the face opposite to v
+    int last;
+  };
+  // A cavity that grows.
+  struct Growth
+  {
+    int apex;
+    double floorSquare;
+    std::size_t budget;
+    double worst; // square, with its sign
   };
 
   void collectBall(Index v);
-  void addFace(const Tetrahedron& tet, int corner);
-  void placeNewEnds();
+  void enterBall(Index v);
+  void leaveThrough(HalfFace face, int next, int last);
+  void placeEnds();
+  void pairFaces();
+  double worstFrom(const Viewpoint& from) const;
   void undoGrowth();
+  bool growAt(std::size_t face, double square, Growth& growth, const BoundaryRules& rules);
   void growBeyond(HalfFace face);
+  void addGrownFace(const Tetrahedron& tet, int corner);
   bool isInside(HalfFace h) const
   {
     return !isBoundary(h) && (inBall_.test(tetOf(h)) || inGrown_.test(tetOf(h)));
   }
+  Viewpoint viewFrom(int apex) const { return { apex, places_[apex], squares_[apex] }; }
+  // There must be room for one more end.
   int localNumber(Index end)
   {
-    const int number = numbers_.add(end);
-    if (number == static_cast<int>(ends_.size()))
+    int& number = numberAt_[end];
+    if (static_cast<std::size_t>(number) >= ends_.size() || ends_[number] != end) // from an earlier turn
     {
+      number = static_cast<int>(ends_.size());
       ends_.add(end);
       mesh_.fetchPointAhead(end);
     }
@@ -82,15 +107,17 @@ private:
 
   const TetMesh& mesh_;
   Scratch<Index> ball_;
+  Scratch<Entry> entries_; // of ball_
   Scratch<Index> ends_;
-  Scratch<Vector3> places_;
+  Scratch<Vector3> places_; // as seen from v
   Scratch<double> squares_; // of places_
   Scratch<Face> faces_;
-  Scratch<FaceView> views_;        // of faces_
-  std::vector<std::size_t> asked_; // the ball's faces, those that refuse often first
+  Scratch<FacePair> pairs_;      // of the ball's faces; where their number is odd, the last one twice
+  Scratch<FaceView> grownViews_; // of the other ones
+  Scratch<std::uint32_t> asked_; // the pairs, those that refuse often first
   LocalMarks inBall_;
   LocalMarks inGrown_;
-  LocalNumbers numbers_; // of vertices
+  std::vector<int> numberAt_; // by vertex: its local number, if that end has it
   std::vector<Index> grown_;
   std::vector<Index> starred_;
   std::size_t endsAtV_ = 0;

@@ -181,11 +181,11 @@ private:
     {
       return; // those around will hardly reach it either
     }
-    const Index nearest = walls_.approach(mesh_.point(v), triangle);
-    if (nearest == triangle_[v])
+    if (triangle_[v] != None && !walls_.isNearer(mesh_.point(v), triangle, triangle_[v]))
     {
-      return; // in vain once already
+      return; // in vain from nearer already
     }
+    const Index nearest = walls_.approach(mesh_.point(v), triangle);
     triangle_[v] = nearest;
     const Index reaching = walls_.reachingAround(mesh_.point(v), nearest);
     if (reaching != None)

@@ -165,19 +165,32 @@ void VertexRemover::rank(Index v, double floor, std::size_t growth)
 {
   const bool inVolume = rules_.classification.kind[v] == VertexKind::Volume;
   candidates_.clear();
-  for (const int end : ends_)
+  // Points that stay come first: those that go themselves would get more tetrahedra before, and go the harder.
+  const auto begin = ends_.begin();
+  const auto firstToGo = std::stable_partition(
+    begin, ends_.end(), [this](int end) { return !region_.isMarked[link_.ends()[end]]; });
+  rankAmong({ begin, firstToGo }, inVolume, floor, growth);
+  if (candidates_.empty())
   {
-    const double worst = growth == 0 ? link_.worstFrom(end, floor) : link_.grow(end, floor, growth, rules_);
-    if (worst > floor)
-    {
-      candidates_.push_back({ end, floor, worst });
-      floor = inVolume ? worst : floor;
-    }
+    rankAmong({ firstToGo, ends_.end() }, inVolume, floor, growth);
   }
   if (!inVolume)
   {
     std::stable_sort(candidates_.begin(), candidates_.end(),
       [](const Candidate& a, const Candidate& b) { return a.worst < b.worst; });
+  }
+}
+
+void VertexRemover::rankAmong(std::span<const int> ends, bool onlyBetter, double floor, std::size_t growth)
+{
+  for (const int end : ends)
+  {
+    const double worst = growth == 0 ? link_.worstFrom(end, floor) : link_.grow(end, floor, growth, rules_);
+    if (worst > floor)
+    {
+      candidates_.push_back({ end, floor, worst });
+      floor = onlyBetter ? worst : floor;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "Removal/RemovalVerdict.h"
 #include "Removal/SurfaceStar.h"
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,7 @@ private:
   bool ridgeStaysInPlace(Index v);
   double floorFor(const RemovalLimits& limits) const;
   void rank(Index v, double floor, std::size_t growth);
+  void rankAmong(std::span<const int> ends, bool onlyBetter, double floor, std::size_t growth);
   void keepPromisingEnds(double floor, std::size_t enough);
   RemovalVerdict tryEnd(Index v, const Candidate& candidate, const RemovalLimits& limits);
   RemovalVerdict tryCollapse(Index v, const Candidate& candidate, double wallAngle);

@@ -50,11 +50,19 @@ public:
       dot(offset, offset) <= bounds.radius * bounds.radius && isNear(p, t);
   }
 
-  // Whether p lies over the plane of triangle t by more than twice its reach.
+  // Whether p lies over the plane of triangle t by more than its reach, by far.
   bool isFarOver(const Vector3& p, Index t) const
   {
-    constexpr double far = 2;
+    constexpr double far = 1.25;
     return std::fabs(dot(p - bounds_[t].centre, bounds_[t].normal)) > far * bounds_[t].reach;
+  }
+
+  // Whether the centre of triangle t is nearer to p than that of the other one.
+  bool isNearer(const Vector3& p, Index t, Index other) const
+  {
+    const Vector3 to = p - bounds_[t].centre;
+    const Vector3 toOther = p - bounds_[other].centre;
+    return dot(to, to) < dot(toOther, toOther);
   }
 
   // Walks over the wall from triangle t to one whose centre is closer to p than those around it.

@@ -1,9 +1,10 @@
 // Lists that are filled and emptied again and again in inner loops.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <span>
-#include <vector>
 
 namespace ransmesh
 {
@@ -18,9 +19,9 @@ public:
   // Makes room for so many more.
   void makeRoom(std::size_t more)
   {
-    if (count_ + more > values_.size())
+    if (count_ + more > room_)
     {
-      values_.resize(2 * (count_ + more));
+      grow(2 * (count_ + more));
     }
   }
   // There must be room.
@@ -29,10 +30,19 @@ public:
   void shrink(std::size_t count) { count_ = count; }
   T& operator[](std::size_t i) { return values_[i]; }
   const T& operator[](std::size_t i) const { return values_[i]; }
-  std::span<const T> view() const { return { values_.data(), count_ }; }
+  std::span<const T> view() const { return { values_.get(), count_ }; }
 
 private:
-  std::vector<T> values_;
+  [[gnu::noinline]] void grow(std::size_t room)
+  {
+    std::unique_ptr<T[]> larger(new T[room]);
+    std::copy_n(values_.get(), count_, larger.get());
+    values_.swap(larger);
+    room_ = room;
+  }
+
+  std::unique_ptr<T[]> values_;
   std::size_t count_ = 0;
+  std::size_t room_ = 0;
 };
 } // namespace ransmesh
