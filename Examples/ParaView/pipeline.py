@@ -7,6 +7,7 @@ layers.png in FOLDER. Runs in pvbatch too; without a display, run it under `xvfb
 import os
 import sys
 
+from paraview.servermanager import Fetch
 from paraview.simple import (ColorBy, CreateView, GetScalarBar, LoadPlugin, OpenDataFile, Render, ResetCamera,
                              SaveData, SaveScreenshot, Show, UpdatePipeline)
 
@@ -28,8 +29,10 @@ def save_picture(enrichment, path):
     view.ViewSize = [1200, 800]
     view.UseColorPaletteForBackground = 0
     view.Background = [1, 1, 1]
+    names = Fetch(enrichment).GetFieldData().GetAbstractArray("PatchNames")
+    last = max(i for i in range(1, names.GetNumberOfValues()) if not names.GetValue(i).startswith("farfield_"))
     body = Threshold(Input=enrichment[1], Scalars=["CELLS", "PatchId"], LowerThreshold=1,  # noqa: F821
-                     UpperThreshold=2)  # the sides of the box follow
+                     UpperThreshold=last)  # the sides of the box follow
     display = Show(body, view)
     display.Representation = "Surface With Edges"
     ColorBy(display, ("POINTS", "LayersAchieved"))
