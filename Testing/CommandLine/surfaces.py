@@ -92,3 +92,17 @@ def ply_text(points, triangles):
             "end_header"]
     body = ["{!r} {!r} {!r}".format(*p) for p in points] + ["3 {} {} {}".format(*t) for t in triangles]
     return "\n".join(head + body) + "\n"
+
+
+def vtp_text(points, triangles, array, numbers):
+    """With a cell array of numbers."""
+    def data(kind, name, values, components=1):
+        return (f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{components}" format="ascii">' +
+                " ".join(map(repr, values)) + "</DataArray>")
+
+    return (f'<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64"><PolyData>'
+            f'<Piece NumberOfPoints="{len(points)}" NumberOfPolys="{len(triangles)}"><Points>' +
+            data("Float64", "Points", [x for point in points for x in point], 3) + "</Points><Polys>" +
+            data("Int64", "connectivity", [v for triangle in triangles for v in triangle]) +
+            data("Int64", "offsets", [3 * (i + 1) for i in range(len(triangles))]) + "</Polys><CellData>" +
+            data("Int32", array, numbers) + "</CellData></Piece></PolyData></VTKFile>\n")

@@ -112,6 +112,14 @@ class Readers(CommandLineTest):
             packed = self.file("nose.vtp.gz", file.read())
         self.assertEqual(self.patches(packed), ["body", "base"])
 
+    def test_numbers_of_other_tools_in_vtp(self):
+        points, triangles = surfaces.sphere()
+        halves = [3 if sum(points[v][2] for v in triangle) > 0 else 8 for triangle in triangles]
+        for numbers, names in ((halves, ["ball_3", "ball_8"]), ([5] * len(triangles), ["ball"])):
+            for array in ("cell_tags", "GroupIds"):
+                path = self.file("ball.vtp", surfaces.vtp_text(points, triangles, array, numbers))
+                self.assertEqual(sorted(self.patches(path)), names)
+
     def test_several_files(self):
         points, sides = surfaces.box()
         paths = [self.file(f"{name}.stl", surfaces.stl_text(points, {"any": triangles}))

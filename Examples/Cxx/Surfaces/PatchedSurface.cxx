@@ -20,13 +20,20 @@ std::string textAt(vtkPolyData* data, const char* array, int row)
   return texts && row >= 0 && row < texts->GetNumberOfValues() ? std::string(texts->GetValue(row)) : "";
 }
 
-// The numbers of the patches: the project's own array, or what other tools leave.
+// The numbers of the patches, as vtkIsotropicTetMesher finds them: the project's own array, or what another tool has
+// left, if it tells several numbers apart.
 vtkDataArray* patchArrayOf(vtkPolyData* data)
 {
-  for (const char* name :
-    { "PatchId", "CellEntityIds", "gmsh:physical", "ModelFaceID", "medit:ref", "su2:tag", "cell_tags" })
+  vtkCellData* cells = data->GetCellData();
+  if (vtkDataArray* own = cells->GetArray("PatchId"))
   {
-    if (vtkDataArray* ids = data->GetCellData()->GetArray(name))
+    return own;
+  }
+  for (const char* name : { "CellEntityIds", "gmsh:physical", "ModelFaceID", "medit:ref", "su2:tag",
+         "cell_tags", "netgen:index", "STLSolidLabeling", "GroupIds" })
+  {
+    vtkDataArray* ids = cells->GetArray(name);
+    if (ids && ids->GetRange()[0] < ids->GetRange()[1])
     {
       return ids;
     }

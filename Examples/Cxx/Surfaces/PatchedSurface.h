@@ -26,8 +26,8 @@ public:
   // Polygons added from now on belong to the patch of this name, a new one or one met before.
   void startPatch(const std::string& name);
   void addPolygon(const std::vector<vtkIdType>& points);
-  // The polygons of a data set that may have a cell array of patch numbers (PatchId, or what gmsh,
-  // SimVascular, Medit and others leave) and the field data PatchNames and PatchTypes; without the
+  // The polygons of a data set that may have a cell array of patch numbers (PatchId, or several that gmsh,
+  // SimVascular, Medit or others left) and the field data PatchNames and PatchTypes; without the
   // array it is one patch, `name`, without the names they are `name`_<number>.
   void append(vtkPolyData* data, const std::string& name);
   // Gives the only patch this name; does nothing to several.
