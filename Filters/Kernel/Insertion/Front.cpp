@@ -1,6 +1,7 @@
 #include "Insertion/Front.h"
 
 #include "Geometry/Predicates.h"
+#include "Layers/ColumnLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,13 @@
 
 namespace ransmesh
 {
+namespace
+{
+// A last level's spacing may be so much shorter than the one asked for, as a share of it: with the usual growth
+// it is then still about the one before.
+constexpr double LeastLastSpacing = 0.8;
+} // namespace
+
 Front::Front(const TetMesh& mesh, const ColumnSet& set)
   : mesh_(mesh)
   , set_(set)
@@ -52,6 +60,19 @@ Vector3 Front::position(Index column, double share) const
 {
   const Column& c = set_.columns[column];
   return share >= 1 ? set_.pointAt(c, c.levels) : set_.pointAtHeight(c, share * set_.thickness(c));
+}
+
+int Front::levelsReached(Index column) const
+{
+  const Column& c = set_.columns[column];
+  if (share_[column] >= 1)
+  {
+    return c.levels;
+  }
+  const double height = share_[column] * set_.thickness(c);
+  const int below = levelBelow(set_, c, height);
+  const LayerHeights& heights = set_.heightsOf(c);
+  return height - heights.height(below) >= LeastLastSpacing * heights.spacing(below + 1) ? below + 1 : below;
 }
 
 double Front::shortestEdge(Index column) const

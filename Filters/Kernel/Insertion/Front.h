@@ -26,6 +26,9 @@ public:
   // Where a column's top stands at that share of its height. At 1 these are exactly the coordinates
   // of the column's last level.
   Vector3 position(Index column, double share) const;
+  // How many of its levels the column has if its top stays where it is. A top that has most of its last spacing makes
+  // the last level where it stands.
+  int levelsReached(Index column) const;
   // Would the slab below the column's faces be positive, with its top at x and all others where they are?
   bool slabAllows(Index column, const Vector3& x) const;
   // The same for one of the faces, by number, all tops where they are.

@@ -1,5 +1,6 @@
 #include "Insertion/FrontRaising.h"
 
+#include "Insertion/GroupRaising.h"
 #include "Insertion/JointMove.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnLimits.h"
@@ -29,10 +30,6 @@ constexpr int PatienceInSweeps = 6;
 constexpr double ShortestOfFirstHeight = 0.5;
 // A step that is all but complete is completed, so that coordinates are exactly the level's.
 constexpr double Complete = 0.99999;
-
-// A last level's spacing may be so much shorter than the one asked for, as a share of it: with the usual growth
-// it is then still about the one before.
-constexpr double LeastLastSpacing = 0.8;
 
 // The last one is for layers and gaps much thinner than the surface's size, where all tetrahedra are needles: exact
 // positivity is enough.
@@ -88,6 +85,10 @@ public:
         moveTogether(sweep);
       }
       done = moveOneByOne(sweep) == 0 && sweep >= sweeps_;
+    }
+    if (!done && !GroupRaising(mesh_, set_, front_, moves_).run(context))
+    {
+      return false;
     }
     settleStuckTops();
     return true;
@@ -211,17 +212,15 @@ private:
   // the last level, of a spacing of its own. A grid needs its corner's top on a level.
   void settle(Index c, Column& column)
   {
-    const double height = front_.share(c) * set_.thickness(column);
-    const int reached = levelBelow(set_, column, height);
-    const LayerHeights& heights = set_.heightsOf(column);
-    if (!ofCorner_[c] && height - heights.height(reached) >= LeastLastSpacing * heights.spacing(reached + 1))
+    const int below = levelBelow(set_, column, front_.share(c) * set_.thickness(column));
+    if (!ofCorner_[c] && front_.levelsReached(c) > below)
     {
-      column.limit(reached + 1, StopReason::Refused);
+      column.limit(below + 1, StopReason::Refused);
       return;
     }
-    if (!lowerTop(mesh_, set_, c, reached) && !(ofCorner_[c] && moveOntoLevel(c, reached)))
+    if (!lowerTop(mesh_, set_, c, below) && !(ofCorner_[c] && moveOntoLevel(c, below)))
     {
-      column.limit(std::max(1, reached), StopReason::Refused);
+      column.limit(std::max(1, below), StopReason::Refused);
     }
   }
 

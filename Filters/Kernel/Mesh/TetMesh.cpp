@@ -58,16 +58,18 @@ Index TetMesh::addTet(const std::array<Index, 4>& vertices)
     t = freeTets_.back();
     freeTets_.pop_back();
   }
+  noteTet(t);
   tets_[t].vertex = vertices;
   for (const Index v : vertices)
   {
-    vertexTet_[v] = t;
+    setVertexTet(v, t);
   }
   return t;
 }
 
 void TetMesh::freeTet(Index t)
 {
+  noteTet(t);
   tets_[t].vertex[0] = None;
   freeTets_.push_back(t);
 }
@@ -85,13 +87,14 @@ Index TetMesh::addBoundaryFace(HalfFace inner, int patch)
     b = freeBoundary_.back();
     freeBoundary_.pop_back();
   }
-  boundary_[b].patch = patch;
+  setPatch(b, patch);
   link(inner, boundaryHalfFace(b));
   return b;
 }
 
 void TetMesh::freeBoundaryFace(Index b)
 {
+  noteBoundaryFace(b);
   boundary_[b].inner = None;
   freeBoundary_.push_back(b);
 }
@@ -102,10 +105,12 @@ void TetMesh::link(HalfFace a, HalfFace b)
   {
     if (isBoundary(from))
     {
+      noteBoundaryFace(boundaryFaceOf(from));
       boundary_[boundaryFaceOf(from)].inner = to;
     }
     else
     {
+      noteTet(tetOf(from));
       tets_[tetOf(from)].neighbour[faceOf(from)] = to;
     }
   };
@@ -118,6 +123,38 @@ Index TetMesh::appendTets(std::size_t count)
   const auto first = static_cast<Index>(tets_.size());
   tets_.resize(tets_.size() + count, Tetrahedron{ { None, None, None, None }, {} });
   return first;
+}
+
+void TetMesh::beginTrial()
+{
+  trial_.emplace();
+  trial_->freeTets = freeTets_;
+  trial_->freeBoundary = freeBoundary_;
+  trial_->vertexCount = points_.size();
+  trial_->tetSlots = tets_.size();
+  trial_->boundarySlots = boundary_.size();
+}
+
+void TetMesh::undoTrial()
+{
+  const auto restore = [](auto& slots, const auto& changes, std::size_t count)
+  {
+    slots.resize(count);
+    for (auto change = changes.rbegin(); change != changes.rend(); ++change)
+    {
+      if (static_cast<std::size_t>(change->first) < count)
+      {
+        slots[change->first] = change->second;
+      }
+    }
+  };
+  restore(points_, trial_->points, trial_->vertexCount);
+  restore(vertexTet_, trial_->vertexTets, trial_->vertexCount);
+  restore(tets_, trial_->tets, trial_->tetSlots);
+  restore(boundary_, trial_->boundary, trial_->boundarySlots);
+  freeTets_ = std::move(trial_->freeTets);
+  freeBoundary_ = std::move(trial_->freeBoundary);
+  trial_.reset();
 }
 
 std::vector<Index> numberUsedVertices(const TetMesh& mesh, Index& count)

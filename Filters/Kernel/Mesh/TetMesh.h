@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace ransmesh
@@ -69,6 +71,20 @@ struct BoundaryFace
   bool isAlive() const { return inner != None; }
 };
 
+// What was in a mesh's slots before each of its changes, in order, and how many there were before all of them.
+struct MeshChanges
+{
+  std::vector<std::pair<Index, Vector3>> points;
+  std::vector<std::pair<Index, Index>> vertexTets;
+  std::vector<std::pair<Index, Tetrahedron>> tets;
+  std::vector<std::pair<Index, BoundaryFace>> boundary;
+  std::vector<Index> freeTets;
+  std::vector<Index> freeBoundary;
+  std::size_t vertexCount = 0;
+  std::size_t tetSlots = 0;
+  std::size_t boundarySlots = 0;
+};
+
 // Vertices, tetrahedra and boundary faces with stable numbers; dead slots are used again.
 class TetMesh
 {
@@ -80,7 +96,11 @@ public:
 
   const std::vector<Vector3>& points() const { return points_; }
   const Vector3& point(Index v) const { return points_[v]; }
-  void movePoint(Index v, const Vector3& x) { points_[v] = x; }
+  void movePoint(Index v, const Vector3& x)
+  {
+    notePoint(v);
+    points_[v] = x;
+  }
   // Some tetrahedron at v, or None if v is unused.
   Index tetAt(Index v) const { return vertexTet_[v]; }
 
@@ -110,22 +130,75 @@ public:
   void freeTet(Index t);
   Index addBoundaryFace(HalfFace inner, int patch);
   void freeBoundaryFace(Index b);
-  void setPatch(Index b, int patch) { boundary_[b].patch = patch; }
-  void setVertex(Index t, int corner, Index v) { tets_[t].vertex[corner] = v; }
-  void setVertexTet(Index v, Index t) { vertexTet_[v] = t; }
+  void setPatch(Index b, int patch)
+  {
+    noteBoundaryFace(b);
+    boundary_[b].patch = patch;
+  }
+  void setVertex(Index t, int corner, Index v)
+  {
+    noteTet(t);
+    tets_[t].vertex[corner] = v;
+  }
+  void setVertexTet(Index v, Index t)
+  {
+    noteVertexTet(v);
+    vertexTet_[v] = t;
+  }
   // Makes the two half-faces each other's neighbours; at most one may be a boundary face.
   void link(HalfFace a, HalfFace b);
   // Appends count dead tetrahedra in one piece, to be filled by fillTet; gives the first number.
   Index appendTets(std::size_t count);
-  void fillTet(Index t, const Tetrahedron& content) { tets_[t] = content; }
+  void fillTet(Index t, const Tetrahedron& content)
+  {
+    noteTet(t);
+    tets_[t] = content;
+  }
+
+  // A trial: from begin on, until it is kept or undone, the mesh notes what is changed. Undone, it is exactly what it
+  // was, numbers of slots and all; what it costs depends on the changes alone. Vertices may come but not go, and
+  // one trial ends before the next begins.
+  void beginTrial();
+  void keepTrial() { trial_.reset(); }
+  void undoTrial();
 
 private:
+  void notePoint(Index v)
+  {
+    if (trial_)
+    {
+      trial_->points.emplace_back(v, points_[v]);
+    }
+  }
+  void noteVertexTet(Index v)
+  {
+    if (trial_)
+    {
+      trial_->vertexTets.emplace_back(v, vertexTet_[v]);
+    }
+  }
+  void noteTet(Index t)
+  {
+    if (trial_)
+    {
+      trial_->tets.emplace_back(t, tets_[t]);
+    }
+  }
+  void noteBoundaryFace(Index b)
+  {
+    if (trial_)
+    {
+      trial_->boundary.emplace_back(b, boundary_[b]);
+    }
+  }
+
   std::vector<Vector3> points_;
   std::vector<Index> vertexTet_;
   std::vector<Tetrahedron> tets_;
   std::vector<Index> freeTets_;
   std::vector<BoundaryFace> boundary_;
   std::vector<Index> freeBoundary_;
+  std::optional<MeshChanges> trial_;
 };
 
 // Numbers for the vertices that tetrahedra use, from 0 to count - 1, in order; None for the others.

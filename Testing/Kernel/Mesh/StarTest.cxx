@@ -27,7 +27,32 @@ public:
   {
   }
 
+  void runAndUndo(int count)
+  {
+    const TetMesh before = mesh_;
+    mesh_.beginTrial();
+    act(count);
+    mesh_.undoTrial();
+    expectSame(before);
+  }
+  void runInTrial(int count)
+  {
+    mesh_.beginTrial();
+    act(count);
+    mesh_.keepTrial();
+  }
   void run(int count)
+  {
+    act(count);
+    invariants::expectKept(before_, toMeshData(mesh_), 1e-10);
+    invariants::expectValid(mesh_);
+  }
+
+  std::size_t done() const { return done_; }
+  std::size_t refused() const { return refused_; }
+
+private:
+  void act(int count)
   {
     for (int i = 0; i < count; ++i)
     {
@@ -42,14 +67,33 @@ public:
         invariants::expectValid(mesh_);
       }
     }
-    invariants::expectKept(before_, toMeshData(mesh_), 1e-10);
-    invariants::expectValid(mesh_);
   }
-
-  std::size_t done() const { return done_; }
-  std::size_t refused() const { return refused_; }
-
-private:
+  // Slot by slot, and the next tetrahedron comes into the same one.
+  void expectSame(const TetMesh& before)
+  {
+    ASSERT_EQ(mesh_.points(), before.points());
+    ASSERT_EQ(mesh_.tetSlots(), before.tetSlots());
+    ASSERT_EQ(mesh_.boundarySlots(), before.boundarySlots());
+    for (std::size_t v = 0; v < before.vertexCount(); ++v)
+    {
+      EXPECT_EQ(mesh_.tetAt(static_cast<Index>(v)), before.tetAt(static_cast<Index>(v)));
+    }
+    for (std::size_t t = 0; t < before.tetSlots(); ++t)
+    {
+      EXPECT_EQ(mesh_.tet(static_cast<Index>(t)).vertex, before.tet(static_cast<Index>(t)).vertex);
+      EXPECT_EQ(mesh_.tet(static_cast<Index>(t)).neighbour, before.tet(static_cast<Index>(t)).neighbour);
+    }
+    for (std::size_t b = 0; b < before.boundarySlots(); ++b)
+    {
+      EXPECT_EQ(
+        mesh_.boundaryFace(static_cast<Index>(b)).inner, before.boundaryFace(static_cast<Index>(b)).inner);
+      EXPECT_EQ(
+        mesh_.boundaryFace(static_cast<Index>(b)).patch, before.boundaryFace(static_cast<Index>(b)).patch);
+    }
+    TetMesh one = mesh_;
+    TetMesh other = before;
+    EXPECT_EQ(one.addTet({ 0, 1, 2, 3 }), other.addTet({ 0, 1, 2, 3 }));
+  }
   unsigned pick(std::size_t below) { return static_cast<unsigned>(random_() % below); }
 
   Index randomTet()
@@ -188,6 +232,19 @@ TEST(Star, KeepsTheMeshValidWhateverIsAsked)
     stars.run(1500);
     EXPECT_GT(stars.done(), 300u) << "seed " << seed;
     EXPECT_GT(stars.refused(), 100u) << "seed " << seed;
+  }
+}
+
+TEST(Star, InATrialCanBeUndoneExactly)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    RandomStars stars(seed);
+    stars.run(300); // so that slots are free
+    stars.runAndUndo(300);
+    stars.runInTrial(300);
+    stars.runAndUndo(30);
+    stars.run(30);
   }
 }
 
