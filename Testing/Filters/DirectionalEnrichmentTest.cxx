@@ -358,7 +358,7 @@ TEST_F(DirectionalEnrichment, AnyHeightsGiveAValidMesh)
     double growth;
     int layers;
   };
-  constexpr Heights all[] = { { 1e-12, 1.2, 200 }, { 1e-12, 10, 1000 }, { 1e-3, 1, 1000 }, { 1e-15, 1.2, 25 },
+  constexpr Heights all[] = { { 1e-12, 1.2, 200 }, { 1e-12, 10, 1000 }, { 1e-3, 1, 1000 }, { 2e-15, 1.2, 25 },
     { 0.3, 1.2, 1 }, { 0.9, 10, 1000 } };
   for (const Heights& heights : all)
   {
