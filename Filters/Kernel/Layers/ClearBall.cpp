@@ -30,7 +30,8 @@ ClearBall::ClearBall(const TetMesh& mesh, const BoundaryStars& stars, const Colu
 
 void ClearBall::collectWalls()
 {
-  walls_.points = mesh_.points();
+  surface_.points = mesh_.points();
+  std::vector<Index> faces;
   for (std::size_t i = 0; i < mesh_.boundarySlots(); ++i)
   {
     const auto face = static_cast<Index>(i);
@@ -44,14 +45,19 @@ void ClearBall::collectWalls()
     { return set_.ofVertex[w] != None && !set_.columns[set_.ofVertex[w]].staysIn(patch); };
     if (std::all_of(v.begin(), v.end(), carries))
     {
-      walls_.triangles.push_back(v);
-      faceOf_.push_back(face);
-      planes_.push_back({ stars_.normalOf(face), mesh_.point(v[0]) });
+      surface_.triangles.push_back(v);
+      faces.push_back(face);
     }
   }
-  std::vector<Index> all(walls_.triangles.size());
+  std::vector<Index> all(faces.size());
   std::iota(all.begin(), all.end(), Index{ 0 });
-  tree_.emplace(walls_, std::move(all));
+  tree_.emplace(surface_, std::move(all));
+  walls_.reserve(faces.size());
+  for (const Index t : tree_->inOrder())
+  {
+    const auto& v = surface_.triangles[t];
+    walls_.push_back({ stars_.normalOf(faces[t]), mesh_.point(v[0]), v, faces[t] });
+  }
 }
 
 double ClearBall::diameter(Index root, const Vector3& direction, double widest)
@@ -61,36 +67,41 @@ double ClearBall::diameter(Index root, const Vector3& direction, double widest)
     collectWalls();
   }
   root_ = root;
+  from_ = mesh_.point(root);
   direction_ = direction;
-  diameter_ = widest;
+  setDiameter(widest);
   faceTouched_ = None;
   way_.beginAt(root);
-  tree_->visitWithin(
-    [this] { return std::pair(centre(), diameter_ / 2); }, [this](Index triangle) { shrink(triangle); });
+  tree_->visitWithin(ball_,
+    [this](Index place)
+    {
+      if (reaches(walls_[place]))
+      {
+        shrink(walls_[place]);
+      }
+    });
   return diameter_;
 }
 
-Vector3 ClearBall::centre() const
+void ClearBall::setDiameter(double diameter)
 {
-  return mesh_.point(root_) + (diameter_ / 2) * direction_;
+  diameter_ = diameter;
+  const double radius = diameter / 2;
+  ball_ = { from_ + radius * direction_, radius * radius };
 }
 
 // Does the ball cut the plane, and the root see the plane's front? Most triangles end here, at little cost: those of a
 // wall that is flat or convex.
-bool ClearBall::reaches(const Plane& plane) const
+bool ClearBall::reaches(const Wall& wall) const
 {
-  const double height = dot(plane.normal, mesh_.point(root_) - plane.origin);
-  return height > 0 && height < (diameter_ / 2) * (1 - dot(plane.normal, direction_));
+  const double height = dot(wall.normal, from_ - wall.origin);
+  return height > 0 && height < (diameter_ / 2) * (1 - dot(wall.normal, direction_));
 }
 
 // Lets the ball shrink until it touches the triangle, if it reaches that at all.
-void ClearBall::shrink(Index triangle)
+void ClearBall::shrink(const Wall& wall)
 {
-  if (!reaches(planes_[triangle]))
-  {
-    return;
-  }
-  const auto& v = walls_.triangles[triangle];
+  const auto& v = wall.vertex;
   if (std::find(v.begin(), v.end(), root_) != v.end())
   {
     return;
@@ -98,16 +109,16 @@ void ClearBall::shrink(Index triangle)
   for (int step = 0; step < MostSteps; ++step)
   {
     const Vector3 place =
-      closestPointOnTriangle(centre(), mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
-    const Vector3 way = place - mesh_.point(root_);
+      closestPointOnTriangle(ball_.centre, mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]));
+    const Vector3 way = place - from_;
     const double ahead = dot(way, direction_);
     const bool isInside = ahead > 0 && dot(way, way) < Markedly * diameter_ * ahead;
-    if (!isInside || (faceTouched_ != faceOf_[triangle] && !isOther(faceOf_[triangle], way)))
+    if (!isInside || (faceTouched_ != wall.face && !isOther(wall.face, way)))
     {
       return;
     }
-    diameter_ = dot(way, way) / ahead;
-    faceTouched_ = faceOf_[triangle];
+    setDiameter(dot(way, way) / ahead);
+    faceTouched_ = wall.face;
     placeTouched_ = place;
   }
 }

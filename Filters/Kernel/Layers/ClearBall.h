@@ -33,31 +33,34 @@ public:
   const Vector3& placeTouched() const { return placeTouched_; }
 
 private:
-  // Of a wall's triangle; the normal is unit, into the fluid.
-  struct Plane
+  // A wall's triangle and its plane; the normal is unit, into the fluid.
+  struct Wall
   {
     Vector3 normal;
     Vector3 origin;
+    std::array<Index, 3> vertex;
+    Index face; // the boundary face
   };
 
   void collectWalls();
-  Vector3 centre() const;
-  bool reaches(const Plane& plane) const;
-  void shrink(Index triangle);
+  void setDiameter(double diameter);
+  bool reaches(const Wall& wall) const;
+  void shrink(const Wall& wall);
   bool isOther(Index face, const Vector3& way);
 
   const TetMesh& mesh_;
   const BoundaryStars& stars_;
   const ColumnSet& set_;
-  SurfaceMesh walls_;
-  std::vector<Index> faceOf_;        // the boundary face of each of its triangles
-  std::vector<Plane> planes_;        // of these
-  std::optional<TriangleTree> tree_; // made when the first ball is asked for
+  SurfaceMesh surface_;
+  std::optional<TriangleTree> tree_; // of the surface; made when the first ball is asked for
+  std::vector<Wall> walls_;          // in the tree's order
   RayWalk walk_;
   WayOverWalls way_;
   Index root_ = None;
+  Vector3 from_; // the root
   Vector3 direction_;
   double diameter_ = 0;
+  Ball ball_;
   Index faceTouched_ = None;
   Vector3 placeTouched_;
 };

@@ -3,6 +3,7 @@
 
 #include "Mesh/MeshData.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -22,6 +23,24 @@ struct Extent
   Vector3 high;
 
   double length(int axis) const { return high[axis] - low[axis]; }
+  int longestAxis() const
+  {
+    const int other = length(1) > length(2) ? 1 : 2;
+    return length(0) >= length(other) ? 0 : other;
+  }
+  // The square of a point's distance from this box; 0 within.
+  double squareTo(const Vector3& p) const
+  {
+    const Vector3 off{ std::max(std::max(low.x - p.x, p.x - high.x), 0.0),
+      std::max(std::max(low.y - p.y, p.y - high.y), 0.0),
+      std::max(std::max(low.z - p.z, p.z - high.z), 0.0) };
+    return dot(off, off);
+  }
+  void add(const Vector3& p)
+  {
+    low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
+    high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
+  }
   double largestLength() const { return std::fmax(length(0), std::fmax(length(1), length(2))); }
 };
 

@@ -10,57 +10,54 @@ TriangleTree::TriangleTree(const SurfaceMesh& surface, std::vector<Index> triang
   : surface_(surface)
   , triangles_(std::move(triangles))
 {
-  if (!triangles_.empty())
+  if (triangles_.empty())
   {
-    build(0, static_cast<Index>(triangles_.size()));
+    return;
+  }
+  std::vector<Placed> placed;
+  placed.reserve(triangles_.size());
+  for (const Index t : triangles_)
+  {
+    placed.push_back({ centreOf(surface, t), t });
+  }
+  nodes_.reserve(triangles_.size());
+  build(placed, 0);
+  for (std::size_t i = 0; i < placed.size(); ++i)
+  {
+    triangles_[i] = placed[i].triangle;
   }
 }
 
-TriangleTree::Node TriangleTree::around(Index begin, Index end) const
+Extent TriangleTree::around(std::span<const Placed> placed) const
 {
-  const Vector3& first = surface_.points[surface_.triangles[triangles_[begin]][0]];
-  Node node{ first, first, begin, end, None };
-  for (Index i = begin; i < end; ++i)
+  const Vector3& first = surface_.points[surface_.triangles[placed.front().triangle][0]];
+  Extent box{ first, first };
+  for (const Placed& p : placed)
   {
-    for (const Index v : surface_.triangles[triangles_[i]])
+    for (const Index v : surface_.triangles[p.triangle])
     {
-      for (int k = 0; k < 3; ++k)
-      {
-        node.low[k] = std::min(node.low[k], surface_.points[v][k]);
-        node.high[k] = std::max(node.high[k], surface_.points[v][k]);
-      }
+      box.add(surface_.points[v]);
     }
   }
-  return node;
+  return box;
 }
 
-Index TriangleTree::build(Index begin, Index end)
+Index TriangleTree::build(std::span<Placed> placed, Index begin)
 {
   const auto number = static_cast<Index>(nodes_.size());
-  nodes_.push_back(around(begin, end));
+  const auto count = static_cast<Index>(placed.size());
+  nodes_.push_back({ around(placed), begin, begin + count, None });
   constexpr Index leafSize = 4;
-  if (end - begin > leafSize)
+  if (count > leafSize)
   {
-    const Vector3 extent = nodes_[number].high - nodes_[number].low;
-    const int axis = extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(triangles_.begin() + begin, triangles_.begin() + middle, triangles_.begin() + end,
-      [&](Index s, Index t) { return centreOf(surface_, s)[axis] < centreOf(surface_, t)[axis]; });
-    build(begin, middle);
-    nodes_[number].right = build(middle, end);
+    const int axis = nodes_[number].box.longestAxis();
+    const Index half = count / 2;
+    std::nth_element(placed.begin(), placed.begin() + half, placed.end(),
+      [axis](const Placed& s, const Placed& t) { return s.centre[axis] < t.centre[axis]; });
+    build(placed.first(half), begin);
+    nodes_[number].right = build(placed.subspan(half), begin + half);
   }
   return number;
-}
-
-double TriangleTree::squareTo(Index node, const Vector3& p) const
-{
-  double square = 0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const double off = std::max({ nodes_[node].low[k] - p[k], 0.0, p[k] - nodes_[node].high[k] });
-    square += off * off;
-  }
-  return square;
 }
 
 void TriangleTree::search(Index node, const Vector3& p, Nearest& nearest) const
@@ -83,8 +80,8 @@ void TriangleTree::search(Index node, const Vector3& p, Nearest& nearest) const
   }
   Index near = node + 1;
   Index far = here.right;
-  double squareNear = squareTo(near, p);
-  double squareFar = squareTo(far, p);
+  double squareNear = nodes_[near].box.squareTo(p);
+  double squareFar = nodes_[far].box.squareTo(p);
   if (squareFar < squareNear)
   {
     std::swap(near, far);

@@ -5,11 +5,16 @@
 
 #include <algorithm>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace ransmesh
 {
+struct Ball
+{
+  Vector3 centre;
+  double square = 0; // of the radius
+};
+
 // A tree of boxes around triangles, of which the nearer is looked at first. (CGAL's starts from the nearest
 // corner, which for needles is far away: a hundred times slower there.)
 class TriangleTree
@@ -21,22 +26,23 @@ public:
   // The triangle closest to p, which moves to the closest place on it; None if there are none.
   Index closest(Vector3& p) const;
 
-  // Calls visit(triangle) for those in boxes that a ball reaches: its centre and radius are asked for anew, and may
-  // shrink, whenever a box is looked at. Boxes nearer to its centre come first.
-  template <typename BallOf, typename Visit>
-  void visitWithin(const BallOf& ballOf, const Visit& visit) const
+  // Calls visit(place in inOrder) for the triangles in boxes that a ball reaches, which may shrink meanwhile. Boxes
+  // nearer to its centre come first.
+  template <typename Visit>
+  void visitWithin(const Ball& ball, const Visit& visit) const
   {
     if (!nodes_.empty())
     {
-      visitBelow(0, ballOf, visit);
+      visitBelow(0, ball, visit);
     }
   }
+  // All triangles, those of one leaf after each other.
+  const std::vector<Index>& inOrder() const { return triangles_; }
 
 private:
   struct Node
   {
-    Vector3 low;
-    Vector3 high;
+    Extent box;
     Index begin = 0;
     Index end = 0;
     Index right = None; // the left child follows its parent; None: a leaf
@@ -48,41 +54,43 @@ private:
     Index triangle = None;
   };
 
-  template <typename BallOf, typename Visit>
-  void visitBelow(Index node, const BallOf& ballOf, const Visit& visit) const
+  struct Placed
+  {
+    Vector3 centre;
+    Index triangle;
+  };
+
+  template <typename Visit>
+  void visitBelow(Index node, const Ball& ball, const Visit& visit) const
   {
     const Node& here = nodes_[node];
     if (here.right == None)
     {
-      std::for_each(triangles_.begin() + here.begin, triangles_.begin() + here.end, visit);
+      for (Index place = here.begin; place < here.end; ++place)
+      {
+        visit(place);
+      }
       return;
     }
-    const auto [centre, radius] = ballOf();
-    std::pair near(squareTo(node + 1, centre), node + 1);
-    std::pair far(squareTo(here.right, centre), here.right);
-    if (far.first < near.first)
+    const double left = nodes_[node + 1].box.squareTo(ball.centre);
+    const double right = nodes_[here.right].box.squareTo(ball.centre);
+    const Index near = right < left ? here.right : node + 1;
+    const Index far = right < left ? node + 1 : here.right;
+    const double square = ball.square;
+    if (std::min(left, right) < square)
     {
-      std::swap(near, far);
+      visitBelow(near, ball, visit);
     }
-    if (near.first < radius * radius)
+    const bool isAsBefore = ball.square == square;
+    if ((isAsBefore ? std::max(left, right) : nodes_[far].box.squareTo(ball.centre)) < ball.square)
     {
-      visitBelow(near.second, ballOf, visit);
-    }
-    const auto [centreNow, radiusNow] = ballOf();
-    if (radiusNow != radius)
-    {
-      far.first = squareTo(far.second, centreNow);
-    }
-    if (far.first < radiusNow * radiusNow)
-    {
-      visitBelow(far.second, ballOf, visit);
+      visitBelow(far, ball, visit);
     }
   }
 
-  Index build(Index begin, Index end);
-  Node around(Index begin, Index end) const;
+  Index build(std::span<Placed> placed, Index begin);
+  Extent around(std::span<const Placed> placed) const;
   void search(Index node, const Vector3& p, Nearest& nearest) const;
-  double squareTo(Index node, const Vector3& p) const;
 
   const SurfaceMesh& surface_;
   std::vector<Index> triangles_; // in the order of the leaves
