@@ -62,7 +62,7 @@ double largestDoubleArea(const std::array<Vector3, 4>& p)
   return std::max(first, second);
 }
 
-// The largest cosine between any two of these vectors, as its square with its sign; by products instead of quotients.
+// The largest cosine between any two of these vectors, as its square with its sign.
 double largestCosineSquared(const std::array<Vector3, 4>& normal)
 {
   std::array<double, 4> square;
@@ -70,18 +70,13 @@ double largestCosineSquared(const std::array<Vector3, 4>& normal)
   {
     square[i] = dot(normal[i], normal[i]);
   }
-  double most = -1;
-  double of = 1;
+  double largest = -1;
   for (const auto& faces : EdgeCorners)
   {
     const double cosine = dot(normal[faces[0]], normal[faces[1]]);
-    const double alike = cosine * std::fabs(cosine);
-    const double product = square[faces[0]] * square[faces[1]];
-    const bool isMore = alike * of > most * product;
-    most = isMore ? alike : most;
-    of = isMore ? product : of;
+    largest = std::max(largest, cosine * std::fabs(cosine) / (square[faces[0]] * square[faces[1]]));
   }
-  return most / of;
+  return largest;
 }
 } // namespace
 
@@ -133,30 +128,46 @@ TetrahedronMeasures measure(const Vector3& a, const Vector3& b, const Vector3& c
   return m;
 }
 
+// Swaps ask for nothing else, and spend half of their time here: most are decided by the squares of what is compared.
 double angleQuality(
   const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d, const ShapeRange& range)
 {
-  const double plain = quality(a, b, c, d);
-  const double ofNeedles = 4 * plain;
-  if (!(ofNeedles > std::max(range.floor, 0.0)))
-  {
-    return ofNeedles;
-  }
-  // One plus the cosine of a tetrahedron's largest angle is at least the square of its quality: of all with such an
-  // angle t, the best is the symmetric one, of quality root of two sin t / (1 + sin^2 t/2).
-  if (plain * plain > range.ceiling)
-  {
-    return plain * plain;
-  }
-  // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents: swaps
-  // ask for nothing else, and spent half of their time there. The normals of a closed surface add up to nothing.
   const Vector3 u = b - a;
   const Vector3 v = c - a;
   const Vector3 w = d - a;
   const Vector3 ofB = cross(w, v);
   const Vector3 ofC = cross(u, w);
   const Vector3 ofD = cross(v, u);
+  const double sixVolume = -dot(ofD, w);
+  const double squares =
+    3 * (dot(u, u) + dot(v, v) + dot(w, w)) - 2 * (dot(u, v) + dot(u, w) + dot(v, w)); // of the six edges
+  const double cube = squares * squares * squares;
+  double squareOfPlain = 432 * sixVolume * sixVolume; // times the cube
+  constexpr double certain = 1e-24;
+  if (!(sixVolume > 0 && squareOfPlain > certain * cube))
+  {
+    // All but flat: the sign takes exact arithmetic.
+    const double plain = quality(a, b, c, d);
+    if (!(plain > 0))
+    {
+      return plain;
+    }
+    squareOfPlain = plain * plain * cube;
+  }
+  const double floor = std::max(range.floor, 0.0);
+  if (!(16 * squareOfPlain > floor * floor * cube))
+  {
+    return floor;
+  }
+  // One plus the cosine of a tetrahedron's largest angle is at least the square of its quality: of all with such an
+  // angle t, the best is the symmetric one, of quality root of two sin t / (1 + sin^2 t/2).
+  if (squareOfPlain > range.ceiling * cube)
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  // By the normals: two faces make the angle between one normal and the other reversed. No arc tangents. The normals
+  // of a closed surface add up to nothing.
   const double alike = largestCosineSquared({ Vector3{} - (ofB + ofC + ofD), ofB, ofC, ofD });
-  return std::min(ofNeedles, 1 - std::copysign(std::sqrt(std::fabs(alike)), alike));
+  return std::min(4 * std::sqrt(squareOfPlain / cube), 1 - std::copysign(std::sqrt(std::fabs(alike)), alike));
 }
 } // namespace ransmesh

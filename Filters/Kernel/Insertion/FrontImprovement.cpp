@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <tuple>
 
@@ -27,7 +26,6 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set, Loc
   {
     isTop[c.vertex] = c.levels > 0;
   }
-  const double mayBePoor = std::sqrt(Poor); // the shape is at least the quality's square; most are better
   std::vector<Index> poor;
   for (std::size_t i = 0; i < mesh.tetSlots(); ++i)
   {
@@ -35,7 +33,7 @@ std::vector<Index> poorTetsAtTops(const TetMesh& mesh, const ColumnSet& set, Loc
     const Tetrahedron& tet = mesh.tet(t);
     if (tet.isAlive() &&
       std::any_of(tet.vertex.begin(), tet.vertex.end(), [&isTop](Index v) { return isTop[v] != 0; }) &&
-      qualityOf(mesh, t) < mayBePoor && improvement.shapeOf(t, Poor) < Poor)
+      improvement.shapeOf(t, Poor) < Poor)
     {
       poor.push_back(t);
     }

@@ -93,42 +93,35 @@ MoveVerdict FrontMoves::move(Index column, const Vector3& x, const MoveEffort& e
 // tetrahedron between tops, and what lies behind it.
 bool FrontMoves::restar(const Column& column, double wanted, std::size_t growth, bool sidesHold)
 {
-  const std::vector<Index> apexes = apexCandidates(column.vertex);
+  others_.clear();
   seed_ = ball_;
-  if (starBest(column, apexes, wanted, growth, sidesHold))
+  if (starBest(column, wanted, growth, sidesHold))
   {
     return true;
   }
   std::erase_if(seed_, [&](Index t) { return qualityOf(t) > wanted; });
-  return starBest(column, apexes, wanted, growth, sidesHold);
+  return starBest(column, wanted, growth, sidesHold);
 }
 
-bool FrontMoves::starBest(
-  const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth, bool sidesHold)
+bool FrontMoves::starBest(const Column& column, double wanted, std::size_t growth, bool sidesHold)
 {
   grown_.begin(seed_, mesh_.point(column.vertex));
-  Index bestApex = None;
-  Index checkedLast = None;
-  for (const Index apex : apexes)
+  if (isStarrable(column, column.vertex, wanted, growth, sidesHold))
   {
-    const Column* ofSides = apex == column.vertex ? &column : nullptr;
-    if (!grown_.grow(apex, wanted, ball_.size() + growth, ofSides) || !(grown_.worst() > wanted))
-    {
-      continue;
-    }
-    checkedLast = apex;
-    if (star_.check(grown_.cavity(), apex) == StarVerdict::Possible && mayStar(column, apex, sidesHold))
+    star_.apply();
+    return true;
+  }
+  Index best = None;
+  for (const Index apex : othersThan(column.vertex))
+  {
+    if (isStarrable(column, apex, wanted, growth, sidesHold))
     {
       wanted = grown_.worst();
       best_ = grown_.cavity();
-      bestApex = apex;
-      if (apex == column.vertex)
-      {
-        break;
-      }
+      best = apex;
     }
   }
-  if (bestApex == None || (bestApex != checkedLast && star_.check(best_, bestApex) != StarVerdict::Possible))
+  if (best == None || star_.check(best_, best) != StarVerdict::Possible)
   {
     return false;
   }
@@ -136,20 +129,32 @@ bool FrontMoves::starBest(
   return true;
 }
 
-std::vector<Index> FrontMoves::apexCandidates(Index vertex) const
+bool FrontMoves::isStarrable(
+  const Column& column, Index apex, double wanted, std::size_t growth, bool sidesHold)
 {
-  std::vector<Index> candidates{ vertex };
+  const Column* ofSides = apex == column.vertex ? &column : nullptr;
+  return grown_.grow(apex, wanted, ball_.size() + growth, ofSides) && grown_.worst() > wanted &&
+    star_.check(grown_.cavity(), apex) == StarVerdict::Possible && mayStar(column, apex, sidesHold);
+}
+
+// The vertices of the ball; most often the top itself will do, and nobody asks.
+const std::vector<Index>& FrontMoves::othersThan(Index vertex)
+{
+  if (!others_.empty())
+  {
+    return others_;
+  }
   for (const Index t : ball_)
   {
     for (const Index v : mesh_.tet(t).vertex)
     {
-      if (std::find(candidates.begin(), candidates.end(), v) == candidates.end())
+      if (v != vertex && std::find(others_.begin(), others_.end(), v) == others_.end())
       {
-        candidates.push_back(v);
+        others_.push_back(v);
       }
     }
   }
-  return candidates;
+  return others_;
 }
 
 // Starred from elsewhere, the sides' faces at the top stay as they are: they must hold then.

@@ -52,11 +52,11 @@ private:
   double qualityOf(Index tet) const;
   double floorFor(Index column, double leastQuality, double before);
   bool restar(const Column& column, double wanted, std::size_t growth, bool sidesHold);
-  bool starBest(const Column& column, const std::vector<Index>& apexes, double wanted, std::size_t growth,
-    bool sidesHold);
+  bool starBest(const Column& column, double wanted, std::size_t growth, bool sidesHold);
+  bool isStarrable(const Column& column, Index apex, double wanted, std::size_t growth, bool sidesHold);
+  const std::vector<Index>& othersThan(Index vertex);
   bool mayStar(const Column& column, Index apex, bool sidesHold);
   bool mayLose(const Column& column, Index apex) const;
-  std::vector<Index> apexCandidates(Index vertex) const;
 
   TetMesh& mesh_;
   const ColumnSet& set_;
@@ -68,7 +68,8 @@ private:
   TopCavity grown_;
   std::vector<double> firstQuality_; // around each top before its first single move; < 0: not known yet
   std::vector<Index> ball_;
-  std::vector<Index> seed_; // the tetrahedra that a cavity begins with
+  std::vector<Index> seed_;   // the tetrahedra that a cavity begins with
+  std::vector<Index> others_; // from which it may be starred
   Cavity best_;
 };
 } // namespace ransmesh

@@ -12,6 +12,7 @@ void TopCavity::begin(std::span<const Index> seed, const Vector3& near)
   inGrown_.clear();
   faces_.clear();
   cavity_.tets.assign(seed.begin(), seed.end());
+  seedTets_ = seed.size();
   for (const Index t : seed)
   {
     inSeed_.set(t);
@@ -22,7 +23,6 @@ void TopCavity::begin(std::span<const Index> seed, const Vector3& near)
   }
   std::partition(faces_.begin(), faces_.end(), [](const Face& face) { return isBoundary(face.beyond); });
   seedFaces_ = faces_.size();
-  seedTets_ = seed.size();
 }
 
 // The faces of the tetrahedron that are outer ones.
@@ -31,14 +31,25 @@ void TopCavity::addFaces(Index tet)
   const Tetrahedron& here = mesh_.tet(tet);
   for (int f = 0; f < 4; ++f)
   {
-    if (isInside(here.neighbour[f]))
+    const HalfFace beyond = here.neighbour[f];
+    if (isBoundary(beyond) || !(inSeed_.test(tetOf(beyond)) || isGrown(beyond)))
     {
-      continue;
+      faces_.push_back({ here.face(f), beyond, false });
     }
-    const auto v = here.face(f);
-    const FaceView view(mesh_.point(v[0]) - near_, mesh_.point(v[1]) - near_, mesh_.point(v[2]) - near_);
-    faces_.push_back({ view, v, here.neighbour[f] });
   }
+}
+
+// Many faces are never asked: they have the apex, or others refuse before them.
+const FaceView& TopCavity::viewOf(std::size_t face)
+{
+  views_.resize(std::max(views_.size(), faces_.size()));
+  if (!faces_[face].isReady)
+  {
+    const auto& v = faces_[face].vertex;
+    views_[face] = FaceView(mesh_.point(v[0]) - near_, mesh_.point(v[1]) - near_, mesh_.point(v[2]) - near_);
+    faces_[face].isReady = true;
+  }
+  return views_[face];
 }
 
 void TopCavity::undoGrowth()
@@ -67,7 +78,7 @@ bool TopCavity::grow(Index apex, double wanted, std::size_t largest, const Colum
   {
     const HalfFace beyond = faces_[i].beyond;
     square_.push_back(none);
-    if (isInside(beyond))
+    if (isGrown(beyond))
     {
       continue;
     }
@@ -80,7 +91,7 @@ bool TopCavity::grow(Index apex, double wanted, std::size_t largest, const Colum
     {
       continue;
     }
-    square_.back() = faces_[i].view.signedSquare(place, squareOfApex);
+    square_.back() = viewOf(i).signedSquare(place, squareOfApex);
     if (square_.back() > wantedSquare)
     {
       continue;
@@ -96,7 +107,7 @@ bool TopCavity::grow(Index apex, double wanted, std::size_t largest, const Colum
   double worst = none;
   for (std::size_t i = 0; i < faces_.size(); ++i)
   {
-    worst = isInside(faces_[i].beyond) ? worst : std::min(worst, square_[i]);
+    worst = isGrown(faces_[i].beyond) ? worst : std::min(worst, square_[i]);
   }
   worst_ = signedRoot(worst);
   return worst < none;

@@ -35,17 +35,17 @@ private:
   {
     bool has(Index v) const { return vertex[0] == v || vertex[1] == v || vertex[2] == v; }
 
-    FaceView view;
     std::array<Index, 3> vertex;
     HalfFace beyond;
+    bool isReady; // has it a view?
   };
 
   void addFaces(Index tet);
+  const FaceView& viewOf(std::size_t face);
   void undoGrowth();
-  bool isInside(HalfFace h) const
-  {
-    return !isBoundary(h) && (inSeed_.test(tetOf(h)) || inGrown_.test(tetOf(h)));
-  }
+  bool hasGrown() const { return cavity_.tets.size() > seedTets_; }
+  // Of what no seed has taken.
+  bool isGrown(HalfFace h) const { return hasGrown() && !isBoundary(h) && inGrown_.test(tetOf(h)); }
   bool goes(const Face& face, const Column* ofSides) const;
 
   const TetMesh& mesh_;
@@ -54,7 +54,8 @@ private:
   LocalMarks inGrown_;
   std::vector<Face>
     faces_; // those on the boundary first: beyond them nothing grows, so that they refuse most often
-  std::vector<double> square_; // of the quality from the apex, by face
+  std::vector<FaceView> views_; // of faces that were asked from some apex
+  std::vector<double> square_;  // of the quality from the apex, by face
   std::size_t seedFaces_ = 0;
   std::size_t seedTets_ = 0;
   Cavity cavity_;
