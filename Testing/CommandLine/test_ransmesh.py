@@ -1,5 +1,6 @@
 """The command line program: exit statuses, options and what it writes."""
 import os
+import re
 import signal
 import subprocess
 import time
@@ -7,6 +8,8 @@ import unittest
 
 import surfaces
 from command_line import LAYERS, NOSECONE, RANSMESH, CommandLineTest
+
+PAGE = os.path.join(os.path.dirname(__file__), "..", "..", "Examples", "Cxx", "ransmesh", "README.md")
 
 
 class Usage(CommandLineTest):
@@ -39,6 +42,31 @@ class Usage(CommandLineTest):
         self.wrong("give one of them", NOSECONE, *out, *LAYERS, "--far-field", "5", "--far-field-sphere", "5")
         self.wrong("--side needs SIDE=NAME", NOSECONE, *out, *LAYERS, "--far-field", "5", "--side", "left=a")
         self.wrong("give that, too", NOSECONE, *out, *LAYERS, "--side", "xmin=inlet")
+        self.wrong("give that, too", NOSECONE, *out, *LAYERS, "--far-field-sphere", "5", "--margin", "xmin=3")
+        self.wrong("--margin needs SIDE=M", NOSECONE, *out, *LAYERS, "--far-field", "5", "--margin", "left=3")
+        self.wrong("--margin needs SIDE=M", NOSECONE, *out, *LAYERS, "--far-field", "5", "--margin", "xmin=0")
+        self.wrong("--patch-type needs PATCH=TYPE", NOSECONE, *out, *LAYERS, "--patch-type", "body")
+        self.wrong("between 0 and 180", NOSECONE, *out, *LAYERS, "--feature-angle", "181")
+        self.wrong("between 1.1 and 10", NOSECONE, *out, *LAYERS, "--radius-edge-ratio", "1")
+        self.wrong("between 0 and 18,", NOSECONE, *out, *LAYERS, "--dihedral-angle", "20")
+
+    def test_wrong_layers_are_status_2(self):
+        start = [NOSECONE, "-o", self.mesh, *LAYERS]
+        self.wrong("above 0 and at most 0.5", *start, "--gap-fraction", "0.6")
+        self.wrong("above 0 and at most 180", *start, "--normal-angle", "0")
+        self.wrong("between 5 and 180", *start, "--fan-angle", "4")
+        self.wrong("between 0 and 90", *start, "--surface-angle", "-1")
+        self.wrong("must be above 0", *start, "--isotropic-fraction", "0")
+        self.wrong("whole number", *start, "--constant-layers", "1.5")
+        self.wrong("belongs to --prisms", *start, "--non-orthogonality", "80")
+        self.wrong("PATCH=H:G:N", *start, "--patch-layers", "body")
+        self.wrong("PATCH=H:G:N", *start, "--patch-layers", "body=1e-3:1.2:3:4")
+        self.wrong("must be at least 1", *start, "--patch-layers", "body=1e-3:0.5")
+        self.wrong("whole number", *start, "--patch-layers", "body=1e-3:1.2:x")
+        self.wrong("give the number of layers", NOSECONE, "-o", self.mesh, "--thickness", "0.1", "--patch-layers",
+                   "body=1e-3:1.2")
+        self.wrong("makes no layers", NOSECONE, "-o", self.mesh, "--isotropic-only", "--patch-layers", "body=1e-3")
+        self.wrong("makes no layers", NOSECONE, "-o", self.mesh, "--isotropic-only", "--fan-angle", "20")
 
     def test_help_and_version(self):
         for option in ("--help", "-h"):
@@ -46,6 +74,13 @@ class Usage(CommandLineTest):
             self.assertEqual(done.returncode, 0)
             self.assertIn("--first-height", done.stdout)
         self.assertRegex(self.run_it("--version").stdout, r"^ransmesh \d+\.\d+")
+
+    def test_the_page_has_all_options(self):
+        with open(PAGE, encoding="utf-8") as file:
+            options = set(re.findall(r"(?<![-\w])--[a-z][a-z-]*", file.read()))
+        told = set(re.findall(r"(?<![-\w])--[a-z][a-z-]*", self.run_it("--help").stdout))
+        self.assertGreater(len(told), 50)
+        self.assertEqual(options, told)
 
 
 class Options(CommandLineTest):
@@ -60,6 +95,16 @@ class Options(CommandLineTest):
         self.assertGreater(prisms["Wedges"], 1000)
         self.assertGreater(prisms["ShareOfLayers"], 0.95)
         self.assertEqual(prisms["Faults"], "")
+
+    def test_faces_of_prisms_on_the_boundary(self):
+        layers = ["--walls", "bottom", *LAYERS]
+        triangles = {patch["name"]: patch for patch in self.report_of(self.box_obj(), *layers)["patches"]}
+        self.assertEqual([patch["quadrilaterals"] for patch in triangles.values()], [0] * 6)
+        prisms = {patch["name"]: patch for patch in self.report_of(self.box_obj(), *layers, "--prisms")["patches"]}
+        self.assertEqual(prisms["bottom"], triangles["bottom"])
+        left, before = prisms["left"], triangles["left"]
+        self.assertGreater(left["quadrilaterals"], 10)
+        self.assertEqual(2 * left["quadrilaterals"] + left["triangles"], before["triangles"])
 
     def test_isotropic_only(self):
         report = self.report_of(NOSECONE, "--isotropic-only", "--far-field", "2")
@@ -76,6 +121,71 @@ class Options(CommandLineTest):
         self.assertLess(self.cells(*LAYERS, "--walls", "body"), few)
         self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "base"), few)
         self.assertEqual(self.cells(*LAYERS, "--walls", "bo*", "--walls", "base"), few)
+
+    def asked(self, *arguments):
+        """First height, growth and number of the layers of each wall."""
+        report = self.report_of(NOSECONE, "--far-field", "2", *arguments)
+        self.assertTrue(report["quality"]["Valid"])
+        return {wall["Name"]: (wall["FirstHeightAsked"], wall["GrowthAsked"], wall["LayersAsked"])
+                for patch, wall in report["quality"]["Walls"].items() if patch != "whole"}
+
+    def test_layers_of_patches(self):
+        asked = self.asked("--patch-layers", "bo*=1e-3:1.1:6", "--patch-layers", "base=2e-3", "--growth", "1.3",
+                           "--layers", "3")
+        self.assertEqual(asked, {"body": (1e-3, 1.1, 6), "base": (2e-3, 1.3, 3)})
+        self.assertEqual(self.asked("--patch-layers", "body=1e-3:1.2:6"), {"body": (1e-3, 1.2, 6)})
+        asked = self.asked(*LAYERS, "--walls", "base", "--patch-layers", "body=1e-3:1.1:5")
+        self.assertEqual(asked, {"body": (1e-3, 1.1, 5), "base": (1e-3, 1.2, 6)})
+
+    def test_where_layers_stand_and_end(self):
+        for option, less, more, with_it in (
+                ("--isotropic-fraction", "0.02", "0.7", []), ("--normal-angle", "170", "20", []),
+                ("--fan-angle", "60", "10", ["--normal-angle", "20"]),
+                # Room for the base's layers is made along the round body beside it.
+                ("--surface-angle", "60", "0", ["--walls", "base", "--layers", "30"])):
+            with self.subTest(option):
+                few, many = [self.cells(*LAYERS, *with_it, option, value) for value in (less, more)]
+                self.assertLess(few, many)
+        growing = self.cells("--first-height", "1e-3", "--thickness", "0.05")
+        self.assertGreater(self.cells("--first-height", "1e-3", "--thickness", "0.05", "--constant-layers", "20"), growing)
+        inside = [self.box_obj(), "--walls", "bottom", "--first-height", "0.01", "--layers", "30", "--growth", "1.05"]
+        low, high = [self.report_of(*inside, "--isotropic-fraction", "5", "--gap-fraction", part)["quality"]
+                     for part in ("0.1", "0.5")]
+        self.assertLess(low["Tetrahedra"], high["Tetrahedra"])
+        prisms = [self.succeeds(NOSECONE, *LAYERS, "--prisms", "--non-orthogonality", angle).stdout
+                  for angle in ("20", "90")]
+        self.assertNotEqual(*prisms)
+
+    def test_types_of_patches(self):
+        patches = self.patches_of(NOSECONE, "--far-field", "2", *LAYERS, "--patch-type", "base=symmetry", "body=wall")
+        self.assertEqual([patches["base"], patches["body"]], ["symmetry", "wall"])
+        box = self.box_obj()
+        self.assertEqual(self.patches_of(box, *LAYERS, "--patch-type", "*=patch", "bottom=wall")["bottom"], "wall")
+        os.rename(self.mesh, self.path("there.vtu"))
+        patches = self.patches_of(self.path("there.vtu"), *LAYERS, "--patch-type", "top=wall")
+        self.assertEqual([patches["top"], patches["bottom"]], ["wall", "wall"])
+
+    def test_edges_by_angle(self):
+        points, sides = surfaces.box()
+        box = self.file("box.stl", surfaces.stl_text(points, {"any": [t for side in sides.values() for t in side]}))
+        sharp, round_ = [self.report_of(box, "--isotropic-only", "--surface-size", "0.2", "--feature-angle", angle)
+                         for angle in ("80", "100")]
+        self.assertNotEqual(sharp["quality"]["Points"], round_["quality"]["Points"])
+
+    def test_margins_of_sides(self):
+        even = self.cells("--isotropic-only")
+        self.assertGreater(self.cells("--isotropic-only", "--margin", "xmax=8", "zmin=4"), even)
+
+    def test_quality_of_tetrahedra(self):
+        self.assertGreater(self.cells("--isotropic-only"),
+                           self.cells("--isotropic-only", "--radius-edge-ratio", "2", "--dihedral-angle", "0"))
+
+    def test_messages_name_options(self):
+        out = ["-o", self.mesh, "--far-field", "2"]
+        self.fails(1, "set GrowthRate (--growth)", NOSECONE, *out, "--first-height", "1e-3", "--growth", "11")
+        self.fails(1, "give FirstHeight (--first-height) in", NOSECONE, *out, "--first-height", "1e-17")
+        self.fails(1, "(SetPatchType, --patch-type)", NOSECONE, *out, *LAYERS, "--patch-type", "keel=wall")
+        self.fails(1, "AddWallPatch (--walls), or", NOSECONE, *out, *LAYERS, "--patch-type", "*=symmetry")
 
     def test_wakes(self):
         points, triangles = surfaces.sheet((0.3, 0.3, 0.5), (0.4, 0, 0), (0, 0.4, 0), 4)

@@ -13,6 +13,11 @@ bool parseWhole(const std::string& word, Number& number)
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
   return error == std::errc() && end == word.data() + word.size();
 }
+std::string textOf(double number)
+{
+  char digits[32];
+  return { digits, std::to_chars(digits, digits + sizeof digits, number).ptr };
+}
 } // namespace
 
 bool Arguments::atNumber() const
@@ -40,14 +45,25 @@ double finiteNumber(const std::string& word, const std::string& option)
   return value;
 }
 
-double angleOf(Arguments& arguments, const std::string& option, double most)
+double numberBetween(Arguments& arguments, const std::string& option, double least, double most)
 {
   const std::string& word = arguments.valueOf(option);
   const double value = finiteNumber(word, option);
-  if (value < 0 || value > most)
+  if (value < least || value > most)
   {
     throw UsageError(
-      option + " must lie between 0 and " + std::to_string(static_cast<int>(most)) + ", not " + word);
+      option + " must lie between " + textOf(least) + " and " + textOf(most) + ", not " + word);
+  }
+  return value;
+}
+
+double positiveUpTo(Arguments& arguments, const std::string& option, double most)
+{
+  const std::string& word = arguments.valueOf(option);
+  const double value = finiteNumber(word, option);
+  if (value <= 0 || value > most)
+  {
+    throw UsageError(option + " must be above 0 and at most " + textOf(most) + ", not " + word);
   }
   return value;
 }
@@ -59,9 +75,8 @@ double positiveOf(Arguments& arguments, const std::string& option, double atLeas
   if (value <= 0 || value < atLeast)
   {
     throw UsageError(option +
-      (atLeast > 0 ? " must be at least " + std::to_string(static_cast<int>(atLeast))
-                   : std::string(" must be above 0")) +
-      ", not " + word);
+      (atLeast > 0 ? " must be at least " + textOf(atLeast) : std::string(" must be above 0")) + ", not " +
+      word);
   }
   return value;
 }
@@ -91,6 +106,17 @@ void addValues(Arguments& arguments, const std::string& option, std::vector<std:
 {
   const std::vector<std::string> more = valuesOf(arguments, option);
   values.insert(values.end(), more.begin(), more.end());
+}
+
+std::pair<std::string, std::string> assignmentOf(
+  const std::string& word, const std::string& option, const std::string& form)
+{
+  const std::size_t equals = word.rfind('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size())
+  {
+    throw UsageError(option + " needs " + form + ", not " + word);
+  }
+  return { word.substr(0, equals), word.substr(equals + 1) };
 }
 
 bool endsWith(const std::string& text, const std::string& end)

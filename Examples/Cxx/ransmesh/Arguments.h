@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace commandline
@@ -31,13 +32,19 @@ private:
 };
 
 double finiteNumber(const std::string& word, const std::string& option);
-double angleOf(Arguments& arguments, const std::string& option, double most); // degrees, 0 to most
+// From least to most; angles are in degrees.
+double numberBetween(Arguments& arguments, const std::string& option, double least, double most);
+double positiveUpTo(Arguments& arguments, const std::string& option, double most);
 double positiveOf(Arguments& arguments, const std::string& option, double atLeast = 0);
 int countOf(Arguments& arguments, const std::string& option); // above 0
 // One or more values, up to the next option.
 std::vector<std::string> valuesOf(Arguments& arguments, const std::string& option);
 // The same behind those that an option that is given several times has already.
 void addValues(Arguments& arguments, const std::string& option, std::vector<std::string>& values);
+
+// NAME=VALUE, parted at the last sign; form, as in "PATCH=TYPE", is what the message asks for.
+std::pair<std::string, std::string> assignmentOf(
+  const std::string& word, const std::string& option, const std::string& form);
 
 bool endsWith(const std::string& text, const std::string& end);
 

@@ -10,10 +10,28 @@
 #include <vtkSurfaceWrap.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <string_view>
 
 namespace commandline
 {
+namespace
+{
+std::array<double, 6> marginsOf(const Options& options)
+{
+  static constexpr std::array<std::string_view, 6> sides = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
+  std::array<double, 6> margins{};
+  margins.fill(options.farField);
+  for (const MarginOption& margin : options.margins)
+  {
+    margins[std::find(sides.begin(), sides.end(), margin.side) - sides.begin()] = margin.margin;
+  }
+  return margins;
+}
+} // namespace
+
 Chain::Chain(const Options& options, vtkDataObject* input, vtkPolyData* sheets)
   : options_(options)
 {
@@ -33,9 +51,10 @@ Chain::Chain(const Options& options, vtkDataObject* input, vtkPolyData* sheets)
   }
   describeSurfaces();
   describeRepair();
+  describePatches();
   describeDomain();
   removal_->SetInputConnection(isotropicMesh()->GetOutputPort());
-  describeLayers(removal_.Get());
+  describeLayers();
   // The enrichment takes the layers that the removal made room for: they travel with the mesh.
   enrichment_->SetInputConnection(removal_->GetOutputPort());
   // Each mesh goes when the next one is made: that halves the memory.
@@ -92,8 +111,31 @@ void Chain::describeRepair()
   mesher_->SetWorkerMemoryLimit(options_.memoryLimit);
 }
 
+// Of surfaces, or of a mesh that is there.
+void Chain::describePatches()
+{
+  for (const auto& [pattern, type] : options_.typesOfPatterns)
+  {
+    mesher_->SetPatchType(pattern.c_str(), type.c_str());
+    adoption_->SetPatchType(pattern.c_str(), type.c_str());
+  }
+  if (options_.featureAngle >= 0)
+  {
+    mesher_->SetFeatureAngle(options_.featureAngle);
+    adoption_->SetFeatureAngle(options_.featureAngle);
+  }
+}
+
 void Chain::describeDomain()
 {
+  if (options_.radiusEdgeRatio > 0)
+  {
+    mesher_->SetMaximumRadiusEdgeRatio(options_.radiusEdgeRatio);
+  }
+  if (options_.dihedralAngle >= 0)
+  {
+    mesher_->SetMinimumDihedralAngle(options_.dihedralAngle);
+  }
   mesher_->SetMaximumEdgeLength(options_.size);
   if (options_.sizeGrowth > 0)
   {
@@ -113,19 +155,23 @@ void Chain::describeDomain()
   }
   if (options_.farField > 0)
   {
-    const double margin = options_.farField;
     mesher_->FarFieldOn();
-    mesher_->SetFarFieldMargins(margin, margin, margin, margin, margin, margin);
+    mesher_->SetFarFieldMargins(marginsOf(options_).data());
     mesher_->SetFarFieldShape(options_.sphere ? vtkIsotropicTetMesher::SPHERE : vtkIsotropicTetMesher::BOX);
   }
   for (const SideOption& side : options_.sides)
   {
     mesher_->SetFarFieldSide(side.side.c_str(), side.name.c_str(), side.type.c_str());
   }
+  describePlanes();
   for (const std::string& pattern : options_.keptInsides)
   {
     mesher_->KeepInside(pattern.c_str());
   }
+}
+
+void Chain::describePlanes()
+{
   mesher_->SetSymmetryPlane(options_.symmetry.axis);
   mesher_->SetSymmetryPosition(options_.symmetry.place);
   mesher_->SetWaterlinePlane(options_.waterline.axis);
@@ -134,50 +180,88 @@ void Chain::describeDomain()
   mesher_->SetGroundPosition(options_.ground.place);
 }
 
-void Chain::describeFlow(vtkRANSLayerAlgorithm* filter) const
+void Chain::describeFlow()
 {
   const FlowOptions& flow = options_.flow;
-  filter->SetVelocity(flow.velocity);
-  filter->SetReynoldsNumber(flow.reynoldsNumber);
-  filter->SetReferenceLength(flow.length);
-  filter->SetFluid(fluidOf(flow));
-  filter->SetSkinFrictionLaw(frictionLawOf(flow));
-  filter->SetThicknessFromFlow(flow.givesThickness);
+  removal_->SetVelocity(flow.velocity);
+  removal_->SetReynoldsNumber(flow.reynoldsNumber);
+  removal_->SetReferenceLength(flow.length);
+  removal_->SetFluid(fluidOf(flow));
+  removal_->SetSkinFrictionLaw(frictionLawOf(flow));
+  removal_->SetThicknessFromFlow(flow.givesThickness);
   if (flow.density > 0)
   {
-    filter->SetDensity(flow.density);
-    filter->SetViscosity(flow.viscosity);
+    removal_->SetDensity(flow.density);
+    removal_->SetViscosity(flow.viscosity);
   }
   if (flow.lengthUnit > 0)
   {
-    filter->SetLengthUnit(flow.lengthUnit);
+    removal_->SetLengthUnit(flow.lengthUnit);
   }
   if (flow.yPlus > 0)
   {
-    filter->SetYPlus(flow.yPlus);
+    removal_->SetYPlus(flow.yPlus);
   }
 }
 
-template <typename Filter>
-void Chain::describeLayers(Filter* filter) const
+void Chain::describeLayers()
 {
-  filter->SetFirstHeight(options_.firstHeight);
-  describeFlow(filter);
+  removal_->SetFirstHeight(options_.firstHeight);
+  describeFlow();
+  describeColumns();
   if (options_.growth > 0)
   {
-    filter->SetGrowthRate(options_.growth);
+    removal_->SetGrowthRate(options_.growth);
   }
   if (options_.layers > 0)
   {
-    filter->SetNumberOfLayers(options_.layers);
+    removal_->SetNumberOfLayers(options_.layers);
   }
   if (options_.thickness > 0)
   {
-    filter->SetTotalThickness(options_.thickness);
+    removal_->SetTotalThickness(options_.thickness);
   }
   for (const std::string& pattern : options_.walls)
   {
-    filter->AddWallPatch(pattern.c_str());
+    removal_->AddWallPatch(pattern.c_str());
+  }
+  for (const PatchLayersOption& layers : options_.patchLayers)
+  {
+    removal_->SetPatchLayers(layers.pattern.c_str(), layers.firstHeight,
+      layers.growth > 0 ? layers.growth : removal_->GetGrowthRate(),
+      layers.layers > 0 ? layers.layers : removal_->GetNumberOfLayers());
+  }
+}
+
+void Chain::describeColumns()
+{
+  const ColumnOptions& columns = options_.columns;
+  removal_->SetConstantLayers(columns.constantLayers);
+  if (columns.isotropicFraction > 0)
+  {
+    removal_->SetIsotropicFraction(columns.isotropicFraction);
+  }
+  if (columns.normalAngle > 0)
+  {
+    removal_->SetNormalAngle(columns.normalAngle);
+  }
+  if (columns.fanAngle > 0)
+  {
+    removal_->SetFanAngle(columns.fanAngle);
+  }
+  // These two do not travel with the mesh.
+  if (columns.gapFraction > 0)
+  {
+    enrichment_->SetGapFraction(columns.gapFraction);
+  }
+  if (columns.surfaceAngle >= 0)
+  {
+    removal_->SetMaximumSurfaceAngle(columns.surfaceAngle);
+    enrichment_->SetMaximumSurfaceAngle(columns.surfaceAngle);
+  }
+  if (options_.nonOrthogonality >= 0)
+  {
+    recombination_->SetMaximumNonOrthogonality(options_.nonOrthogonality);
   }
 }
 

@@ -62,9 +62,11 @@ private:
   void describeSurfaces();
   void describeRepair();
   void describeDomain();
-  void describeFlow(vtkRANSLayerAlgorithm* filter) const;
-  template <typename Filter>
-  void describeLayers(Filter* filter) const;
+  void describePatches();
+  void describePlanes();
+  void describeFlow();
+  void describeLayers();
+  void describeColumns();
   void runStage(const std::string& name, vtkAlgorithm* filter);
 
   const Options& options_;

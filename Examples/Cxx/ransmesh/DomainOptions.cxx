@@ -18,14 +18,19 @@ PlaneOption planeOf(Arguments& arguments, const std::string& option)
   return { static_cast<int>(axis) + 1, word.size() > 1 ? finiteNumber(word.substr(2), option) : 0 };
 }
 
+const std::set<std::string>& sides()
+{
+  static const std::set<std::string> names = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
+  return names;
+}
+
 // SIDE=NAME or SIDE=NAME:TYPE.
 SideOption sideOf(const std::string& word)
 {
-  static const std::set<std::string> sides = { "xmin", "xmax", "ymin", "ymax", "zmin", "zmax" };
   const std::size_t equals = word.find('=');
   const std::size_t colon = word.find(':');
   const std::size_t begin = equals + 1;
-  if (equals == std::string::npos || !sides.contains(word.substr(0, equals)) || begin == word.size() ||
+  if (equals == std::string::npos || !sides().contains(word.substr(0, equals)) || begin == word.size() ||
     begin == colon)
   {
     throw UsageError("--side needs SIDE=NAME or SIDE=NAME:TYPE, as in xmin=inlet, not " + word);
@@ -39,6 +44,34 @@ void addSides(Options& options, Arguments& arguments, const std::string& option)
   for (const std::string& word : valuesOf(arguments, option))
   {
     options.sides.push_back(sideOf(word));
+  }
+}
+
+MarginOption marginOf(const std::string& word, const std::string& option)
+{
+  const std::string form = "SIDE=M, as in xmax=20";
+  const auto [side, value] = assignmentOf(word, option, form);
+  const double margin = finiteNumber(value, option);
+  if (!sides().contains(side) || margin <= 0)
+  {
+    throw UsageError(option + " needs " + form + ", not " + word);
+  }
+  return { side, margin };
+}
+
+void addMargins(Options& options, Arguments& arguments, const std::string& option)
+{
+  for (const std::string& word : valuesOf(arguments, option))
+  {
+    options.margins.push_back(marginOf(word, option));
+  }
+}
+
+void addTypes(Options& options, Arguments& arguments, const std::string& option)
+{
+  for (const std::string& word : valuesOf(arguments, option))
+  {
+    options.typesOfPatterns.push_back(assignmentOf(word, option, "PATCH=TYPE, as in duct=wall"));
   }
 }
 
@@ -72,15 +105,21 @@ void check(const Options& options)
 {
   const bool isShaped = options.farField > 0 || options.size > 0 || options.sizeGrowth > 0 ||
     options.refine.isGiven() || options.symmetry.axis > 0 || options.waterline.axis > 0 ||
-    options.ground.axis > 0 || !options.keptInsides.empty();
+    options.ground.axis > 0 || !options.keptInsides.empty() || options.radiusEdgeRatio > 0 ||
+    options.dihedralAngle >= 0;
   if (options.isMesh() && isShaped)
   {
     throw UsageError(
       "options for the domain have no meaning: " + options.surfaces.front() + " is a mesh already");
   }
-  if (!options.sides.empty() && (options.farField == 0 || options.sphere))
+  const bool hasBox = options.farField > 0 && !options.sphere;
+  if (!options.sides.empty() && !hasBox)
   {
     throw UsageError("--side names the sides of the box that --far-field makes: give that, too");
+  }
+  if (!options.margins.empty() && !hasBox)
+  {
+    throw UsageError("--margin moves sides of the box that --far-field makes: give that, too");
   }
 }
 } // namespace
@@ -94,7 +133,13 @@ const OptionGroup& domainOptions()
     {
       { "--far-field", [](O& o, A& a, S& name) { setFarField(o, positiveOf(a, name), false); } },
       { "--far-field-sphere", [](O& o, A& a, S& name) { setFarField(o, positiveOf(a, name), true); } },
+      { "--margin", addMargins },
       { "--side", addSides },
+      { "--patch-type", addTypes },
+      { "--feature-angle", [](O& o, A& a, S& name) { o.featureAngle = numberBetween(a, name, 0, 180); } },
+      { "--radius-edge-ratio",
+        [](O& o, A& a, S& name) { o.radiusEdgeRatio = numberBetween(a, name, 1.1, 10); } },
+      { "--dihedral-angle", [](O& o, A& a, S& name) { o.dihedralAngle = numberBetween(a, name, 0, 18); } },
       { "--symmetry-plane", [](O& o, A& a, S& name) { o.symmetry = planeOf(a, name); } },
       { "--waterline", [](O& o, A& a, S& name) { o.waterline = planeOf(a, name); } },
       { "--ground", [](O& o, A& a, S& name) { o.ground = planeOf(a, name); } },
@@ -110,9 +155,15 @@ Domain
   --far-field M         a box around the bodies, M body lengths on each side;
                         without it the surfaces themselves bound the domain
   --far-field-sphere M  a sphere instead, M body lengths from the bodies
+  --margin SIDE=M...    other margins of sides of the box, in body lengths: xmin=5 xmax=20
   --side SIDE=NAME[:TYPE]...
                         names sides of the box: xmin=inlet xmax=outlet zmax=top:symmetry; what is
                         not told of the type, the name suggests; sides of one name are one patch
+  --patch-type PATCH=TYPE...
+                        types of patches (names, wildcards), where their names tell none or wrong ones:
+                        duct=wall; wall, symmetry, farfield, inlet, outlet, wake, interface or patch
+  --feature-angle A     remeshing keeps edges that turn by more than A degrees (30); the outer faces of
+                        a mesh without patches are parted there
   --symmetry-plane AXIS[=V]
                         a plane of symmetry, as in y or y=0.5: what lies on its lesser side is cut
                         off; half models may end in it, open; patch `symmetry`
@@ -123,6 +174,8 @@ Domain
                         the body's surface between them; all patches of a body together
   --size L              largest edge in the field
   --size-growth G       ratio of successive edges away from surfaces and places of refinement (1.3)
+  --radius-edge-ratio R largest ratio of circumradius to shortest edge of tetrahedra, 1.1 to 10 (1.4)
+  --dihedral-angle A    smallest dihedral angle of tetrahedra, 0 to 18 degrees (10)
   --refine-box XMIN XMAX YMIN YMAX ZMIN ZMAX L
   --refine-sphere X Y Z RADIUS L
   --refine-line X1 Y1 Z1 X2 Y2 Z2 RADIUS L

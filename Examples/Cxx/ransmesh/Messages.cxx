@@ -1,5 +1,7 @@
 #include "Messages.h"
 
+#include "OptionNames.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkExecutive.h>
 
@@ -33,9 +35,10 @@ void Messages::watch(vtkAlgorithm* algorithm)
   algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this);
 }
 
-void Messages::Execute(vtkObject*, unsigned long event, void* data)
+void Messages::Execute(vtkObject* caller, unsigned long event, void* data)
 {
-  const std::string text = textOf(static_cast<const char*>(data));
+  const std::string text =
+    withOptionNames(textOf(static_cast<const char*>(data)), caller->IsA("vtkRANSLayerAlgorithm") != 0);
   (event == vtkCommand::ErrorEvent ? errors_ : warnings_).push_back(text);
 }
 } // namespace commandline

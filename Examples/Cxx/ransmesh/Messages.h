@@ -11,7 +11,8 @@ class vtkAlgorithm;
 
 namespace commandline
 {
-// Collects what the objects it watches report, one line each, without VTK's "ERROR: In file ...".
+// Collects what the objects it watches report, one line each, without VTK's "ERROR: In file ...", with the options
+// beside the parameters that are named.
 class Messages : public vtkCommand
 {
 public:

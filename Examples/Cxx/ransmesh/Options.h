@@ -77,6 +77,38 @@ struct SideOption
   std::string type; // empty: as the name suggests
 };
 
+struct MarginOption
+{
+  std::string side;  // xmin, ...
+  double margin = 0; // body lengths
+};
+
+// Layers of their own for the patches that a pattern takes.
+struct PatchLayersOption
+{
+  std::string pattern;
+  double firstHeight = 0;
+  double growth = 0; // 0: not given
+  int layers = 0;    // 0: not given
+};
+
+// How layers stand at edges and where they end.
+struct ColumnOptions
+{
+  int constantLayers = 0;       // 0: not given
+  double isotropicFraction = 0; // 0: not given
+  double gapFraction = 0;       // 0: not given
+  double normalAngle = 0;       // degrees; 0: not given
+  double fanAngle = 0;          // degrees; 0: not given
+  double surfaceAngle = -1;     // degrees; negative: not given
+
+  bool areGiven() const
+  {
+    return constantLayers > 0 || isotropicFraction > 0 || gapFraction > 0 || normalAngle > 0 ||
+      fanAngle > 0 || surfaceAngle >= 0;
+  }
+};
+
 struct Options
 {
   std::vector<std::string> words;    // as they were given
@@ -96,9 +128,14 @@ struct Options
   PlaneOption waterline;
   PlaneOption ground;
   std::vector<SideOption> sides;
-  std::vector<std::string> keptInsides; // patterns of patches
-  double size = 0;                      // 0: no limit
-  double sizeGrowth = 0;                // 0: not given
+  std::vector<MarginOption> margins;                                // in place of farField
+  std::vector<std::pair<std::string, std::string>> typesOfPatterns; // of patches
+  double featureAngle = -1;                                         // degrees; negative: not given
+  std::vector<std::string> keptInsides;                             // patterns of patches
+  double size = 0;                                                  // 0: no limit
+  double sizeGrowth = 0;                                            // 0: not given
+  double radiusEdgeRatio = 0;                                       // 0: not given
+  double dihedralAngle = -1;                                        // degrees; negative: not given
   RemeshOptions remesh;
   RefinementOptions refine;
   double swapAngle = -1;  // degrees; 0: the surface triangles are kept; negative: not given
@@ -106,9 +143,12 @@ struct Options
   double growth = 0;      // 0: not given
   double thickness = 0;   // 0: not given
   int layers = 0;         // 0: not given
-  double timeLimit = 0;   // seconds for each run of TetGen; 0: none
-  double memoryLimit = 0; // MB for each run of TetGen; 0: none
-  int threads = 0;        // 0: not given
+  std::vector<PatchLayersOption> patchLayers;
+  ColumnOptions columns;
+  double nonOrthogonality = -1; // degrees; negative: not given
+  double timeLimit = 0;         // seconds for each run of TetGen; 0: none
+  double memoryLimit = 0;       // MB for each run of TetGen; 0: none
+  int threads = 0;              // 0: not given
   bool isotropicOnly = false;
   bool quiet = false;
   bool help = false;

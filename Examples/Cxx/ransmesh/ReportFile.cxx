@@ -3,6 +3,7 @@
 #include "Json.h"
 
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkMeshQualityReport.h>
@@ -90,24 +91,40 @@ Json flowOf(const vtkRANSLayerAlgorithm& layers)
     .add("total_thickness", Json::number(layers.GetPlannedTotalThickness()));
 }
 
-Json patchesOf(vtkUnstructuredGrid* mesh)
+struct FaceCount
 {
-  std::map<int, int> triangles;
+  int triangles = 0;
+  int quadrilaterals = 0;
+};
+
+// Of each patch, by its number.
+std::map<int, FaceCount> facesOf(vtkUnstructuredGrid* mesh)
+{
+  std::map<int, FaceCount> faces;
   vtkDataArray* ids = mesh->GetCellData()->GetArray("PatchId");
   for (vtkIdType cell = 0; ids && cell < ids->GetNumberOfTuples(); ++cell)
   {
-    ++triangles[static_cast<int>(ids->GetTuple1(cell))];
+    FaceCount& count = faces[static_cast<int>(ids->GetTuple1(cell))];
+    ++(mesh->GetCellType(cell) == VTK_QUAD ? count.quadrilaterals : count.triangles);
   }
+  return faces;
+}
+
+Json patchesOf(vtkUnstructuredGrid* mesh)
+{
+  std::map<int, FaceCount> faces = facesOf(mesh);
   auto* names = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("PatchNames"));
   auto* types = vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray("PatchTypes"));
   Json patches = Json::array();
   for (vtkIdType i = 1; names && types && i < names->GetNumberOfValues(); ++i)
   {
+    const FaceCount& count = faces[static_cast<int>(i)];
     patches.add(Json::object()
                   .add("number", Json::number(static_cast<double>(i)))
                   .add("name", Json::text(names->GetValue(i)))
                   .add("type", Json::text(types->GetValue(i)))
-                  .add("triangles", Json::number(triangles[static_cast<int>(i)])));
+                  .add("triangles", Json::number(count.triangles))
+                  .add("quadrilaterals", Json::number(count.quadrilaterals)));
   }
   return patches;
 }

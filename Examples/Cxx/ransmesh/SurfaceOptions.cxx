@@ -77,7 +77,7 @@ const OptionGroup& surfaceOptions()
       { "--smallest-size", [](O& o, A& a, S& name) { o.remesh.smallest = positiveOf(a, name); } },
       { "--surface-deviation", [](O& o, A& a, S& name) { o.remesh.deviation = positiveOf(a, name); } },
       { "--size-array", [](O& o, A& a, S& name) { o.remesh.array = a.valueOf(name); } },
-      { "--swap-angle", [](O& o, A& a, S& name) { o.swapAngle = angleOf(a, name, 90); } },
+      { "--swap-angle", [](O& o, A& a, S& name) { o.swapAngle = numberBetween(a, name, 0, 90); } },
     },
     check, R"(
 Surfaces
