@@ -28,7 +28,7 @@ struct LayerSpecification
   int constantLayers = defaults::constantLayers; // the first layers, all of the first height; 0 and 1 alike
   double isotropicFraction = defaults::isotropicFraction; // f of the paper's section 3, > 0
   double normalAngle = defaults::normalAngle; // degrees, (0, 180]: convex edges that turn more open a fan
-  double fanAngle = defaults::fanAngle;       // degrees, (0, 180]: largest angle between a fan's columns
+  double fanAngle = defaults::fanAngle;       // degrees, [5, 180]: largest angle between a fan's columns
 
   bool hasLayers() const { return numberOfLayers > 0; }
   bool operator==(const LayerSpecification&) const = default;
