@@ -45,14 +45,6 @@ public:
     return Regular * volume * std::fabs(volume) / (squares * squares * squares);
   }
 
-  // Whether that is above a limit: without a division.
-  bool isAbove(double limit, const Vector3& apex, double squareOfApex) const
-  {
-    const double volume = sixVolume(apex);
-    const double squares = squaresOfEdges(apex, squareOfApex);
-    return Regular * volume * std::fabs(volume) > limit * (squares * squares * squares);
-  }
-
 private:
   static constexpr double Regular = 432; // so that it is 1 for the regular tetrahedron
 

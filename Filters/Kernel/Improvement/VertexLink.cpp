@@ -23,7 +23,7 @@ double signedSquareOf(double quality)
 
 void VertexLink::turnTo(Index v)
 {
-  numberAt_.resize(mesh_.vertexCount(), 0);
+  numbers_.clear();
   inBall_.clear();
   inGrown_.clear();
   centre_ = mesh_.point(v);
@@ -49,9 +49,9 @@ void VertexLink::enterBall(Index v)
   const Index first = mesh_.tetAt(v);
   const Tetrahedron& tet = mesh_.tet(first);
   const int cornerOfV = tet.cornerOf(v);
-  ball_.makeRoom(4);
-  entries_.makeRoom(4);
-  ends_.makeRoom(3);
+  ball_.makeRoom(5);
+  entries_.makeRoom(5);
+  ends_.makeRoom(4);
   faces_.makeRoom(1);
   ball_.add(first);
   entries_.add({});
@@ -78,39 +78,38 @@ void VertexLink::collectBall(Index v)
 {
   for (std::size_t i = 1; i < ball_.size(); ++i)
   {
-    ball_.makeRoom(2);
-    entries_.makeRoom(2);
+    ball_.makeRoom(3);
+    entries_.makeRoom(3);
     ends_.makeRoom(1);
     faces_.makeRoom(1);
     const Tetrahedron& tet = mesh_.tet(ball_[i]);
     const Entry entry = entries_[i];
-    const int cornerOfV = tet.cornerOf(v);
-    const int next = Following[cornerOfV][entry.corner];
-    const int last = Following[cornerOfV][next];
+    const int cornerOfV = tet.cornerOfOwn(v);
+    const auto& following = Following[cornerOfV];
+    const int next = following[entry.corner];
+    const int last = following[next];
     int number[4];
     number[entry.corner] = localNumber(tet.vertex[entry.corner]);
     number[next] = entry.next;
     number[last] = entry.last;
     const auto& f = FaceCorners[cornerOfV];
     faces_.add({ { number[f[0]], number[f[1]], number[f[2]] }, tet.neighbour[cornerOfV] });
-    const int first = std::min(next, last);
-    const int second = std::max(next, last);
-    const bool inTurn = first == next;
-    leaveThrough(tet.neighbour[first], inTurn ? number[entry.corner] : entry.next,
-      inTurn ? entry.last : number[entry.corner]);
-    leaveThrough(tet.neighbour[second], inTurn ? entry.next : number[entry.corner],
-      inTurn ? number[entry.corner] : entry.last);
+    for (const int out : { std::min(next, last), std::max(next, last) })
+    {
+      leaveThrough(tet.neighbour[out], number[following[following[out]]], number[following[out]]);
+    }
   }
 }
 
 // There must be room.
 inline void VertexLink::leaveThrough(HalfFace face, int next, int last)
 {
-  if (!isBoundary(face) && inBall_.set(tetOf(face)))
+  if (!isBoundary(face))
   {
+    const bool fresh = inBall_.set(tetOf(face));
     mesh_.fetchAhead(tetOf(face));
-    ball_.add(tetOf(face));
-    entries_.add({ faceOf(face), next, last });
+    ball_.addIf(fresh, tetOf(face));
+    entries_.addIf(fresh, { faceOf(face), next, last });
   }
 }
 

@@ -9,7 +9,8 @@
 #include "Mesh/TetMesh.h"
 #include "Support/Scratch.h"
 
-#include <array>
+#include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -95,13 +96,9 @@ private:
   // There must be room for one more end.
   int localNumber(Index end)
   {
-    int& number = numberAt_[end];
-    if (static_cast<std::size_t>(number) >= ends_.size() || ends_[number] != end) // from an earlier turn
-    {
-      number = static_cast<int>(ends_.size());
-      ends_.add(end);
-      mesh_.fetchPointAhead(end);
-    }
+    const int number = numbers_.add(end);
+    ends_.addIf(number == static_cast<int>(ends_.size()), end);
+    mesh_.fetchPointAhead(end);
     return number;
   }
 
@@ -117,7 +114,7 @@ private:
   Scratch<std::uint32_t> asked_; // the pairs, those that refuse often first
   LocalMarks inBall_;
   LocalMarks inGrown_;
-  std::vector<int> numberAt_; // by vertex: its local number, if that end has it
+  LocalNumbers numbers_; // of ends_
   std::vector<Index> grown_;
   std::vector<Index> starred_;
   std::size_t endsAtV_ = 0;

@@ -27,6 +27,8 @@ struct LocalKey
   {
     return static_cast<std::uint32_t>((static_cast<std::uint64_t>(thing) * 0x9e3779b97f4a7c15ULL) >> 32);
   }
+  // Whether another thing came after the same clearing.
+  bool isBesides(const LocalKey& other) const { return stamp == other.stamp && !(thing == other.thing); }
   bool operator==(const LocalKey&) const = default;
 };
 
@@ -43,6 +45,8 @@ struct LocalKey<Index>
   }
   std::uint32_t when() const { return static_cast<std::uint32_t>(word >> 32); }
   std::uint32_t hash() const { return static_cast<std::uint32_t>(word) * 0x9e3779b1U; }
+  // By one comparison, hardly ever true: whether it is the same thing would be anybody's guess.
+  bool isBesides(const LocalKey& other) const { return (word ^ other.word) - 1 < 0xffffffffU; }
   bool operator==(const LocalKey&) const = default;
 };
 
@@ -69,16 +73,17 @@ protected:
   std::size_t find(const LocalKey<Thing>& key) const
   {
     std::size_t place = key.hash() >> shift_;
-    while (!(entries_[place].key == key) && entries_[place].key.when() == current_)
+    while (entries_[place].key.isBesides(key))
     {
       place = (place + 1) & (entries_.size() - 1);
     }
     return place;
   }
-  void enter(std::size_t place, const Entry& entry)
+  void enter(std::size_t place, const Entry& entry, bool fresh = true)
   {
     entries_[place] = entry;
-    if (2 * static_cast<std::size_t>(++count_) > entries_.size())
+    count_ += static_cast<int>(fresh);
+    if (2 * static_cast<std::size_t>(count_) > entries_.size())
     {
       grow();
     }
@@ -120,17 +125,14 @@ public:
     const LocalKey<Index> key = keyOf(thing);
     return entries_[find(key)].key == key;
   }
-  // Marks the thing; false if it was marked already.
+  // Marks the thing; false if it was marked already. No branch depends on that.
   bool set(Index thing)
   {
     const LocalKey<Index> key = keyOf(thing);
     const std::size_t place = find(key);
-    if (entries_[place].key == key)
-    {
-      return false;
-    }
-    enter(place, { key });
-    return true;
+    const bool fresh = !(entries_[place].key == key);
+    enter(place, { key }, fresh);
+    return fresh;
   }
 };
 
@@ -152,18 +154,15 @@ public:
     const LocalKey<Thing> key = this->keyOf(thing);
     return this->entries_[this->find(key)].key == key;
   }
-  // The thing's number; it gets the next one if it has none.
+  // The thing's number; it gets the next one if it has none. No branch depends on that.
   int add(Thing thing)
   {
     const LocalKey<Thing> key = this->keyOf(thing);
     const std::size_t place = this->find(key);
-    if (this->entries_[place].key == key)
-    {
-      return this->entries_[place].number;
-    }
-    const int next = this->count_;
-    this->enter(place, { key, next });
-    return next;
+    const bool fresh = !(this->entries_[place].key == key);
+    const int number = fresh ? this->count_ : this->entries_[place].number;
+    this->enter(place, { key, number }, fresh);
+    return number;
   }
 };
 

@@ -56,6 +56,12 @@ struct Tetrahedron
     return vertex[0] == v ? 0 : vertex[1] == v ? 1 : vertex[2] == v ? 2 : vertex[3] == v ? 3 : -1;
   }
   bool has(Index v) const { return cornerOf(v) >= 0; }
+  // The same for a vertex that it has, without branches, which nobody could guess.
+  int cornerOfOwn(Index v) const
+  {
+    return static_cast<int>(vertex[1] == v) + 2 * static_cast<int>(vertex[2] == v) +
+      3 * static_cast<int>(vertex[3] == v);
+  }
   // The three vertices of face f, turned inward.
   std::array<Index, 3> face(int f) const
   {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 namespace ransmesh
@@ -51,18 +52,11 @@ public:
   void run()
   {
     startFromWalls();
-    // Where many are inside, one more look at all tetrahedra is quicker than a walk around each.
-    constexpr std::size_t many = 100; // tetrahedra to a vertex inside
-    std::size_t next = 0;
-    if (mesh_.tetSlots() < many * inside_.size())
+    for (std::size_t next = 0; next < inside_.size();)
     {
-      next = inside_.size();
-      entering_ = Later;
-      forEachTouching(Inside, [this](Index from, Index v) { offer(v, triangle_[from]); });
-    }
-    for (; next < inside_.size(); ++next) // they become more as the loop goes
-    {
-      passOn(inside_[next]);
+      const std::size_t end = inside_.size();
+      passOnAll(next, end);
+      next = end;
     }
   }
 
@@ -75,17 +69,34 @@ private:
   enum Place : char // bits, so that those of a tetrahedron are soon together
   {
     Outside = 1,
-    Inside = 2, // found from the walls, or all that are
+    Front = 2, // inside, to be passed on from now
     OfWall = 4,
-    Later =
-      8 // inside, found from others: not from the first of these on, as they are not the nearest to the wall
+    Later = 8, // inside, found meanwhile: to be passed on after the front
+    Behind = 16
   };
 
   // The neighbours of the walls' vertices. One look at all tetrahedra in their order is quicker than a
-  // walk around each vertex.
+  // walk around each vertex; what is needed of a pair waits for memory, so that is asked for ahead.
   void startFromWalls()
   {
-    forEachTouching(OfWall, [this](Index w, Index v) { offerTrianglesAt(w, v); });
+    constexpr std::size_t ahead = 12;
+    std::vector<std::pair<Index, Index>> pairs;
+    forEachTouching(OfWall,
+      [&](Index w, Index v)
+      {
+        pairs.emplace_back(w, v);
+        walls_.fetchAhead(w);
+      });
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      const auto& later = pairs[std::min(i + ahead, pairs.size() - 1)];
+      walls_.fetchCeilingAhead(later.first);
+      mesh_.fetchPointAhead(later.second);
+      if (place_[pairs[i].second] == Outside)
+      {
+        offerTrianglesAt(pairs[i].first, pairs[i].second);
+      }
+    }
   }
 
   // All pairs of neighbours of which the one is there and the other one is still outside.
@@ -148,8 +159,37 @@ private:
   void enter(Index v, Index triangle)
   {
     triangle_[v] = triangle;
-    place_[v] = entering_;
+    place_[v] = Later;
     inside_.push_back(v);
+  }
+
+  // From those found as number first to end - 1 to their neighbours.
+  void passOnAll(std::size_t first, std::size_t end)
+  {
+    // Where they are many, one more look at all tetrahedra is quicker than a walk around each.
+    constexpr std::size_t many = 100; // tetrahedra to each of them
+    const std::span<const Index> front(inside_.data() + first, end - first);
+    if (mesh_.tetSlots() < many * front.size())
+    {
+      place(front, Front);
+      forEachTouching(Front, [this](Index from, Index v) { offer(v, triangle_[from]); });
+      place({ inside_.data() + first, end - first }, Behind);
+    }
+    else
+    {
+      for (std::size_t i = first; i < end; ++i)
+      {
+        passOn(inside_[i]);
+      }
+    }
+  }
+
+  void place(std::span<const Index> vertices, Place there)
+  {
+    for (const Index v : vertices)
+    {
+      place_[v] = there;
+    }
   }
 
   void passOn(Index from)
@@ -202,7 +242,6 @@ private:
   RecentPairs offered_;
   std::vector<Index> triangle_; // by vertex: one that reaches it; or else the last one looked at
   std::vector<char> place_;     // by vertex: a Place
-  Place entering_ = Inside;     // what becomes of those found now
   std::vector<Index> inside_;
 };
 

@@ -81,7 +81,7 @@ public:
       improveWalls(result);
       separateRidges(result);
       mending_.begin();
-      result.swaps += mending_.mendAll();
+      result.swaps += mending_.mendAll(PoorQualityAtLast);
     }
     std::copy_if(givenUp_.begin(), givenUp_.end(), std::back_inserter(left),
       [this](Index v) { return region_.isMarked[v] != 0; }); // others may have taken them along
@@ -181,12 +181,12 @@ private:
     }
     for (int cut = 0; cut < limits.cuts && region_.isMarked[v] && valence_.cutEdge(); ++cut)
     {
-      mending_.note(valence_.made(), PoorQuality);
+      mending_.note(valence_.made(), PoorQualityAtLast);
       verdict = remover_.remove(v, plain);
     }
     if (!region_.isMarked[v])
     {
-      mending_.note(remover_.made(), remover_.worstMade() < PoorQuality ? PoorQuality : 0);
+      mending_.note(remover_.made(), remover_.worstMade() < PoorQualityAtLast ? PoorQualityAtLast : 0);
     }
     if (!region_.isMarked[v] && onWall)
     {
@@ -245,7 +245,7 @@ private:
         if (mesh_.boundaryFace(face).isAlive() && turnLongestEdge(face, limits))
         {
           ++result.swaps;
-          mending_.note(valence_.made(), PoorQuality);
+          mending_.note(valence_.made(), PoorQualityAtLast);
         }
       }
     }
@@ -267,7 +267,7 @@ private:
           valence_.swapOnWall(from, to, limits, {}))
         {
           ++result.swaps;
-          mending_.note(valence_.made(), PoorQuality);
+          mending_.note(valence_.made(), PoorQualityAtLast);
           break;
         }
       }

@@ -55,7 +55,7 @@ std::size_t PoorMending::swapAround(Index v, double poor)
   return swaps;
 }
 
-std::size_t PoorMending::mendAll()
+std::size_t PoorMending::mendAll(double poor)
 {
   constexpr int rounds = 3;
   std::size_t swaps = 0;
@@ -66,7 +66,7 @@ std::size_t PoorMending::mendAll()
     std::vector<Index> next;
     for (const Index t : poor_)
     {
-      if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < PoorQuality && swap(t))
+      if (mesh_.tet(t).isAlive() && qualityOf(mesh_, t) < poor && swap(t))
       {
         ++swaps;
         noteChange(improvement_.made());

@@ -12,8 +12,10 @@
 
 namespace ransmesh
 {
-// Below this quality swaps are tried, where the walls allow good ones.
+// Below this quality swaps are tried around points that do not go, where the walls allow good ones.
 inline constexpr double PoorQuality = 0.12;
+// And below this one of what is left in the end: the front's rise mends the rest.
+inline constexpr double PoorQualityAtLast = 0.06;
 
 class PoorMending
 {
@@ -35,8 +37,8 @@ public:
   bool moveTowards(Index v, const Vector3& place, double floor);
   // Swaps the tetrahedra at v whose quality is below poor; gives how many swaps there were.
   std::size_t swapAround(Index v, double poor);
-  // Swaps away the poor tetrahedra that were noted, and those that the swaps made of them.
-  std::size_t mendAll();
+  // Swaps away the tetrahedra that were noted, and those that the swaps made of them, where their quality is below poor.
+  std::size_t mendAll(double poor);
 
 private:
   bool swap(Index tet);

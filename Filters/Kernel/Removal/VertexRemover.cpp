@@ -48,7 +48,7 @@ RemovalVerdict VertexRemover::remove(Index v, const RemovalLimits& limits)
   if (limits.growth > 0)
   {
     constexpr std::size_t enough = 4; // growing costs much
-    keepPromisingEnds(floor, enough);
+    keepPromisingEnds(v, floor, enough);
   }
   rank(v, floor, limits.growth);
   RemovalVerdict verdict = RemovalVerdict::LowQuality;
@@ -82,7 +82,7 @@ bool VertexRemover::isNeededByShape(Index v, double wallAngle)
 Index VertexRemover::nearestApex(Index v, const RemovalLimits& limits)
 {
   look(v);
-  keepPromisingEnds(floorFor(limits), 1);
+  keepPromisingEnds(v, floorFor(limits), 1);
   return link_.ends()[ends_.front()];
 }
 
@@ -163,21 +163,21 @@ double VertexRemover::floorFor(const RemovalLimits& limits) const
 // The ends that would do, the best one last. On surfaces all of them, as they may refuse for other reasons.
 void VertexRemover::rank(Index v, double floor, std::size_t growth)
 {
-  const bool inVolume = rules_.classification.kind[v] == VertexKind::Volume;
   candidates_.clear();
-  // Points that stay come first: those that go themselves would get more tetrahedra before, and go the harder.
-  const auto begin = ends_.begin();
-  const auto firstToGo = std::stable_partition(
-    begin, ends_.end(), [this](int end) { return !region_.isMarked[link_.ends()[end]]; });
-  rankAmong({ begin, firstToGo }, inVolume, floor, growth);
-  if (candidates_.empty())
+  if (rules_.classification.kind[v] != VertexKind::Volume)
   {
-    rankAmong({ firstToGo, ends_.end() }, inVolume, floor, growth);
-  }
-  if (!inVolume)
-  {
+    rankAmong(ends_, false, floor, growth);
     std::stable_sort(candidates_.begin(), candidates_.end(),
       [](const Candidate& a, const Candidate& b) { return a.worst < b.worst; });
+    return;
+  }
+  // Points that stay come first: those that go themselves would get more tetrahedra before, and go the harder.
+  const std::size_t staying = endsThatStayFirst();
+  const std::span<const int> ends = ends_;
+  rankAmong(ends.first(staying), true, floor, growth);
+  if (candidates_.empty())
+  {
+    rankAmong(ends.subspan(staying), true, floor, growth);
   }
 }
 
@@ -194,15 +194,17 @@ void VertexRemover::rankAmong(std::span<const int> ends, bool onlyBetter, double
   }
 }
 
-// Keeps only the ends that the fewest faces see badly.
-void VertexRemover::keepPromisingEnds(double floor, std::size_t enough)
+// Keeps only the ends that the fewest faces see badly; of points in the volume, of those that stay if there are enough.
+void VertexRemover::keepPromisingEnds(Index v, double floor, std::size_t enough)
 {
   ranking_.clear();
-  for (const int end : ends_)
+  const bool inVolume = rules_.classification.kind[v] == VertexKind::Volume;
+  const std::size_t staying = inVolume ? endsThatStayFirst() : ends_.size();
+  for (std::size_t i = 0; i < ends_.size() && (i < staying || ranking_.size() < enough); ++i)
   {
     const std::size_t most =
       ranking_.size() < enough ? std::numeric_limits<std::size_t>::max() : ranking_.back().first;
-    const std::pair<std::size_t, int> entry{ link_.countPoor(end, floor, most), end };
+    const std::pair<std::size_t, int> entry{ link_.countPoor(ends_[i], floor, most), ends_[i] };
     if (entry.first < most)
     {
       ranking_.insert(std::upper_bound(ranking_.begin(), ranking_.end(), entry), entry);
@@ -212,6 +214,14 @@ void VertexRemover::keepPromisingEnds(double floor, std::size_t enough)
   ends_.clear();
   std::transform(ranking_.begin(), ranking_.end(), std::back_inserter(ends_),
     [](const auto& entry) { return entry.second; });
+}
+
+// Puts the ends that stay before those that go themselves; how many stay.
+std::size_t VertexRemover::endsThatStayFirst()
+{
+  const auto toGo = std::stable_partition(
+    ends_.begin(), ends_.end(), [this](int end) { return !region_.isMarked[link_.ends()[end]]; });
+  return static_cast<std::size_t>(toGo - ends_.begin());
 }
 
 RemovalVerdict VertexRemover::tryEnd(Index v, const Candidate& candidate, const RemovalLimits& limits)

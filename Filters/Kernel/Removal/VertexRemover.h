@@ -56,7 +56,8 @@ private:
   double floorFor(const RemovalLimits& limits) const;
   void rank(Index v, double floor, std::size_t growth);
   void rankAmong(std::span<const int> ends, bool onlyBetter, double floor, std::size_t growth);
-  void keepPromisingEnds(double floor, std::size_t enough);
+  void keepPromisingEnds(Index v, double floor, std::size_t enough);
+  std::size_t endsThatStayFirst();
   RemovalVerdict tryEnd(Index v, const Candidate& candidate, const RemovalLimits& limits);
   RemovalVerdict tryCollapse(Index v, const Candidate& candidate, double wallAngle);
   RemovalVerdict tryCavity(Index v, const Candidate& candidate, double wallAngle);

@@ -4,7 +4,7 @@
 #include "Geometry/TetrahedronMeasures.h"
 
 #include <algorithm>
-#include <iterator>
+#include <array>
 #include <limits>
 
 namespace ransmesh
@@ -29,9 +29,13 @@ WallReach::WallReach(const TetMesh& mesh, const BoundaryStars& stars, const Laye
   , stars_(stars)
 {
   collect(plan);
-  findSizes();
+  for (Wall& wall : walls_)
+  {
+    wall.size /= 3 * wall.triangles;
+    wall.ceiling.normal = normalized(wall.ceiling.normal);
+  }
   findReaches(plan, margin);
-  findCeilings();
+  raiseCeilings();
 }
 
 double WallReach::attainableQuality(Index t) const
@@ -91,7 +95,6 @@ bool WallReach::isNear(const Vector3& p, Index t) const
 void WallReach::collect(const LayerPlan& plan)
 {
   bounds_.resize(mesh_.boundarySlots());
-  perimeter_.resize(mesh_.boundarySlots());
   wallNumber_.assign(mesh_.vertexCount(), None);
   for (std::size_t b = 0; b < mesh_.boundarySlots(); ++b)
   {
@@ -114,29 +117,18 @@ void WallReach::addBounds(Index face)
   const double radius =
     std::sqrt(std::max({ squareOf(centre - a), squareOf(centre - b), squareOf(centre - c) }));
   bounds_[face] = { centre, radius, stars_.normalOf(face), 0 };
-  perimeter_[face] = distance(a, b) + distance(b, c) + distance(c, a);
+  const double perimeter = distance(a, b) + distance(b, c) + distance(c, a);
   for (const Index w : v)
   {
     if (wallNumber_[w] == None)
     {
       wallNumber_[w] = static_cast<Index>(walls_.size());
-      walls_.push_back(w);
+      walls_.emplace_back();
     }
-  }
-}
-
-void WallReach::findSizes()
-{
-  for (const Index v : walls_)
-  {
-    double sum = 0;
-    int count = 0;
-    for (const Index t : at(v))
-    {
-      sum += isLayered(t) ? perimeter_[t] : 0;
-      count += isLayered(t);
-    }
-    size_.push_back(sum / (3 * count));
+    Wall& wall = walls_[wallNumber_[w]];
+    wall.size += perimeter;
+    wall.ceiling.normal += bounds_[face].normal;
+    ++wall.triangles;
   }
 }
 
@@ -169,30 +161,27 @@ void WallReach::findReaches(const LayerPlan& plan, double margin)
   }
 }
 
-void WallReach::findCeilings()
+// By triangle, each over its own corners: they lie closer to each other in memory than the triangles at a vertex.
+void WallReach::raiseCeilings()
 {
-  ceiling_.reserve(walls_.size());
-  std::transform(
-    walls_.begin(), walls_.end(), std::back_inserter(ceiling_), [this](Index v) { return findCeiling(v); });
-}
-
-WallReach::Ceiling WallReach::findCeiling(Index v) const
-{
-  Ceiling ceiling;
-  for (const Index t : at(v))
+  for (std::size_t i = 0; i < bounds_.size(); ++i)
   {
-    ceiling.normal += isLayered(t) ? bounds_[t].normal : Vector3{};
-  }
-  ceiling.normal = normalized(ceiling.normal);
-  ceiling.height = -std::numeric_limits<double>::infinity();
-  for (const Index t : at(v))
-  {
-    for (const Index corner : stars_.verticesOf(t))
+    const auto face = static_cast<Index>(i);
+    if (!isLayered(face))
     {
-      const double height = dot(mesh_.point(corner), ceiling.normal) + (1 + rounding) * bounds_[t].reach;
-      ceiling.height = std::max(ceiling.height, height);
+      continue;
+    }
+    const auto& v = stars_.verticesOf(face);
+    const std::array<Vector3, 3> corners = { mesh_.point(v[0]), mesh_.point(v[1]), mesh_.point(v[2]) };
+    for (const Index w : v)
+    {
+      Ceiling& ceiling = walls_[wallNumber_[w]].ceiling;
+      for (const Vector3& corner : corners)
+      {
+        ceiling.height =
+          std::max(ceiling.height, dot(corner, ceiling.normal) + (1 + rounding) * bounds_[i].reach);
+      }
     }
   }
-  return ceiling;
 }
 } // namespace ransmesh

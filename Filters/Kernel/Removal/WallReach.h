@@ -4,6 +4,7 @@
 #include "Boundary/BoundaryStars.h"
 #include "Layers/LayerSpecification.h"
 #include "Mesh/TetMesh.h"
+#include "Support/Prefetch.h"
 
 #include <cmath>
 #include <limits>
@@ -27,7 +28,7 @@ public:
     bool isBelow(const Vector3& p) const { return dot(p, normal) > height; }
 
     Vector3 normal;
-    double height = 0;
+    double height = -std::numeric_limits<double>::infinity();
   };
 
   WallReach(const TetMesh& mesh, const BoundaryStars& stars, const LayerPlan& plan, double margin);
@@ -35,7 +36,10 @@ public:
   bool isWall(Index v) const { return wallNumber_[v] != None; }
   // The boundary faces at a vertex of the walls: those without layers reach nothing, and are near to nothing.
   std::span<const Index> at(Index v) const { return stars_.facesAt(v); }
-  const Ceiling& ceilingOver(Index v) const { return ceiling_[wallNumber_[v]]; }
+  const Ceiling& ceilingOver(Index v) const { return walls_[wallNumber_[v]].ceiling; }
+  // For those who will ask for the ceiling over a wall's vertex soon, and very soon.
+  void fetchAhead(Index v) const { prefetch(&wallNumber_[v]); }
+  void fetchCeilingAhead(Index v) const { prefetch(&walls_[wallNumber_[v]]); }
   double reach(Index t) const { return bounds_[t].reach; }
 
   // The quality of the tetrahedron from triangle t to the end of its reach.
@@ -84,23 +88,26 @@ private:
     double reach = -1;
   };
 
+  // A vertex of the walls.
+  struct Wall
+  {
+    Ceiling ceiling;
+    double size = 0; // the mean edge of the walls' triangles there
+    int triangles = 0;
+  };
+
   bool isLayered(Index face) const { return bounds_[face].radius >= 0; }
   bool isNear(const Vector3& p, Index t) const;
   void collect(const LayerPlan& plan);
   void addBounds(Index face);
-  void findSizes();
-  double sizeAt(Index v) const { return size_[wallNumber_[v]]; }
+  double sizeAt(Index v) const { return walls_[wallNumber_[v]].size; }
   void findReaches(const LayerPlan& plan, double margin);
-  void findCeilings();
-  Ceiling findCeiling(Index v) const;
+  void raiseCeilings();
 
   const TetMesh& mesh_;
   const BoundaryStars& stars_;
   std::vector<Bounds> bounds_;    // by boundary face; those without layers have a negative radius
-  std::vector<double> perimeter_; // by boundary face
   std::vector<Index> wallNumber_; // by vertex: its number among those of walls, or None
-  std::vector<Index> walls_;      // these
-  std::vector<double> size_;      // by their number: the mean edge of the walls' triangles there
-  std::vector<Ceiling> ceiling_;  // by their number
+  std::vector<Wall> walls_;       // by that number
 };
 } // namespace ransmesh

@@ -48,10 +48,10 @@ TEST_F(PoorMendings, MendsWhatWasNotedAndNothingElse)
   ASSERT_LT(worst(), PoorQuality);
   mending_.note(all(), 0);
   mending_.begin();
-  EXPECT_EQ(mending_.mendAll(), 0u) << "nothing was poor by the quality given";
+  EXPECT_EQ(mending_.mendAll(PoorQuality), 0u) << "nothing was poor by the quality given";
   const double before = worst();
   mending_.note(all(), PoorQuality);
-  EXPECT_GT(mending_.mendAll(), 0u);
+  EXPECT_GT(mending_.mendAll(PoorQuality), 0u);
   EXPECT_GE(worst(), before);
   invariants::expectValid(mesh_);
 }
@@ -85,7 +85,7 @@ TEST_F(PoorMendings, TriesAgainWhereOthersHaveChangedTheMesh)
 {
   mending_.note(all(), PoorQuality);
   mending_.begin();
-  mending_.mendAll();
+  mending_.mendAll(PoorQuality);
   // The best place for a point of the volume, spoilt and told of.
   Index v = 0;
   while (rules_.classification.kind[v] != VertexKind::Volume)

@@ -27,3 +27,14 @@ TEST(Scratch, KeepsWhatWasAddedSinceItWasCleared)
     EXPECT_EQ(std::vector<int>(list.view().begin(), list.view().end()), (std::vector<int>{ 0, 7, -1 }));
   }
 }
+
+TEST(Scratch, TakesOnlyWhatIsWanted)
+{
+  ransmesh::Scratch<int> list;
+  list.makeRoom(4);
+  for (int i = 0; i < 4; ++i)
+  {
+    list.addIf(i % 2 == 1, i);
+  }
+  EXPECT_EQ(std::vector<int>(list.view().begin(), list.view().end()), (std::vector<int>{ 1, 3 }));
+}
