@@ -86,11 +86,12 @@ public:
       }
       done = moveOneByOne(sweep) == 0 && sweep >= sweeps_;
     }
-    if (!done && !GroupRaising(mesh_, set_, front_, moves_).run(context))
+    GroupRaising groups(mesh_, set_, front_, moves_);
+    if (!done && !groups.run(context))
     {
       return false;
     }
-    settleStuckTops();
+    settleStuckTops(groups);
     return true;
   }
 
@@ -192,7 +193,7 @@ private:
     return moved;
   }
 
-  void settleStuckTops()
+  void settleStuckTops(const GroupRaising& groups)
   {
     for (std::size_t i = 0; i < set_.columns.size(); ++i)
     {
@@ -203,7 +204,12 @@ private:
         continue;
       }
       ++report_.stuck;
+      const int asked = column.levels;
       settle(c, column);
+      if (column.levels < asked && groups.wasHopeless(c))
+      {
+        column.reason = StopReason::Gap;
+      }
     }
   }
 

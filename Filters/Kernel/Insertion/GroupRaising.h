@@ -32,6 +32,9 @@ public:
   // itself. The mesh is valid at every moment, and no group ends with fewer levels than before. False if cancelled.
   bool run(const Context& context);
 
+  // After run: would the front have had to cross itself, or a wall, for the column's next level?
+  bool wasHopeless(Index column) const { return !isHopeless_.empty() && isHopeless_[column] != 0; }
+
 private:
   bool isStuck(Index column) const { return front_.levelsReached(column) < set_.columns[column].levels; }
   std::vector<Index> stuckColumns() const;
