@@ -375,16 +375,10 @@ TEST_F(DirectionalEnrichment, AnyHeightsGiveAValidMesh)
 
 TEST_F(DirectionalEnrichment, SaysWhyThereAreNoLayers)
 {
-  vtkNew<vtkCallbackCommand> listener;
-  std::string warning;
-  listener->SetClientData(&warning);
-  listener->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
-    { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
-  this->Filter->AddObserver(vtkCommand::WarningEvent, listener);
+  WarningCatcher warnings(this->Filter);
   this->Filter->SetFirstHeight(0.9);
   this->Filter->Update();
   EXPECT_EQ(this->Filter->GetNumberOfInsertedPoints(), 0);
-  EXPECT_NE(warning.find("no layers were made; wall points by StopReason: isotropic size reached 30"),
-    std::string::npos)
-    << warning;
+  EXPECT_TRUE(warnings.Says("no layers were made; wall points by StopReason: isotropic size reached 30"))
+    << warnings.GetText();
 }

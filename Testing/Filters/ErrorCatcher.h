@@ -1,4 +1,4 @@
-// Catches the error events of an algorithm and its executive, so that a test can read them.
+// Catches the error or warning events of an algorithm and its executive, so that a test can read them.
 #ifndef ErrorCatcher_h
 #define ErrorCatcher_h
 
@@ -11,27 +11,27 @@
 
 #include <string>
 
-class ErrorCatcher
+class MessageCatcher
 {
 public:
-  explicit ErrorCatcher(vtkAlgorithm* algorithm)
+  MessageCatcher(vtkAlgorithm* algorithm, vtkCommand::EventIds event)
     : Algorithm(algorithm)
   {
     this->Command->SetClientData(&this->Text);
     this->Command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
       { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
-    algorithm->AddObserver(vtkCommand::ErrorEvent, this->Command);
-    algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    algorithm->AddObserver(event, this->Command);
+    algorithm->GetExecutive()->AddObserver(event, this->Command);
   }
-  ~ErrorCatcher()
+  ~MessageCatcher()
   {
     this->Algorithm->RemoveObserver(this->Command);
     this->Algorithm->GetExecutive()->RemoveObserver(this->Command);
   }
-  ErrorCatcher(const ErrorCatcher&) = delete;
-  void operator=(const ErrorCatcher&) = delete;
+  MessageCatcher(const MessageCatcher&) = delete;
+  void operator=(const MessageCatcher&) = delete;
 
-  // All messages so far; empty if there was no error.
+  // All messages so far; empty if there was none.
   const std::string& GetText() const { return this->Text; }
   bool Says(const char* phrase) const { return this->Text.find(phrase) != std::string::npos; }
 
@@ -39,6 +39,22 @@ private:
   vtkSmartPointer<vtkAlgorithm> Algorithm;
   vtkNew<vtkCallbackCommand> Command;
   std::string Text;
+};
+
+struct ErrorCatcher : MessageCatcher
+{
+  explicit ErrorCatcher(vtkAlgorithm* algorithm)
+    : MessageCatcher(algorithm, vtkCommand::ErrorEvent)
+  {
+  }
+};
+
+struct WarningCatcher : MessageCatcher
+{
+  explicit WarningCatcher(vtkAlgorithm* algorithm)
+    : MessageCatcher(algorithm, vtkCommand::WarningEvent)
+  {
+  }
 };
 
 #endif

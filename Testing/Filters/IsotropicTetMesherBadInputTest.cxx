@@ -20,7 +20,6 @@ class BadInput : public ::testing::Test
 {
 protected:
   vtkNew<vtkIsotropicTetMesher> Mesher;
-  std::string Warnings;
 
   // The mesher's error message for a surface; there must be no mesh then.
   std::string ErrorFor(vtkPolyData* surface)
@@ -36,17 +35,13 @@ protected:
   // The warnings on the way to a mesh.
   std::string WarningFor(vtkPolyData* surface)
   {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&this->Warnings);
-    command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
-      { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
-    this->Mesher->AddObserver(vtkCommand::WarningEvent, command);
     this->Mesher->SetInputDataObject(surface);
+    WarningCatcher warnings(this->Mesher);
     ErrorCatcher errors(this->Mesher);
     this->Mesher->Update();
     EXPECT_EQ(errors.GetText(), "");
     EXPECT_GT(this->Mesher->GetOutput()->GetNumberOfCells(), 0);
-    return this->Warnings;
+    return warnings.GetText();
   }
 
   vtkPolyData* Problems() { return vtkPolyData::SafeDownCast(this->Mesher->GetOutputDataObject(1)); }

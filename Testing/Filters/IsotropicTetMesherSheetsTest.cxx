@@ -29,19 +29,10 @@ class MesherSheets : public ::testing::Test
 {
 protected:
   vtkNew<vtkIsotropicTetMesher> Mesher;
-  std::string Warnings;
+  WarningCatcher Warnings{ this->Mesher };
   ransmesh::MeshData Mesh;
   ransmesh::PatchTable Patches;
   std::map<std::string, double> SheetArea; // by name, of those that are sheets
-
-  void SetUp() override
-  {
-    vtkNew<vtkCallbackCommand> command;
-    command->SetClientData(&this->Warnings);
-    command->SetCallback([](vtkObject*, unsigned long, void* text, void* message)
-      { *static_cast<std::string*>(text) += static_cast<const char*>(message); });
-    this->Mesher->AddObserver(vtkCommand::WarningEvent, command);
-  }
 
   void AddUnitBox(int cells)
   {
@@ -156,7 +147,7 @@ TEST_F(MesherSheets, ASheetReachesTheFarField)
   this->Mesher->AddSheetData(Flat({ 2, -1, 0 }, { 3, 0, 0 }, { 0, 2, 0 }, 6, 4));
   this->Run();
   EXPECT_NEAR(this->SheetArea["wake"], 6, 1e-9);
-  EXPECT_EQ(this->Warnings, "");
+  EXPECT_EQ(this->Warnings.GetText(), "");
 }
 
 TEST_F(MesherSheets, ASheetSpansTheFarFieldFromSideToSide)
@@ -204,7 +195,7 @@ TEST_F(MesherSheets, ASheetOutsideTheFluidIsLeftOutWithAWarning)
   this->Mesher->AddSheetData(Flat({ 2, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, 2, 2));
   this->Run();
   EXPECT_TRUE(this->SheetArea.empty());
-  EXPECT_SAYS(this->Warnings, "the sheet 'wake' does not lie in the fluid: left out");
+  EXPECT_SAYS(this->Warnings.GetText(), "the sheet 'wake' does not lie in the fluid: left out");
 }
 
 TEST_F(MesherSheets, ASheetThroughASurfaceIsAnError)
@@ -251,7 +242,7 @@ TEST_F(MesherSheets, WhatReachesOutOfTheBoxIsCutOff)
   double bounds[6];
   this->Mesher->GetOutput()->GetBounds(bounds);
   EXPECT_NEAR(this->SheetArea["wake"], 2 * (bounds[1] - 2), 1e-9);
-  EXPECT_SAYS(this->Warnings, "triangles cut off at the far-field box of sheets");
+  EXPECT_SAYS(this->Warnings.GetText(), "triangles cut off at the far-field box of sheets");
 }
 
 TEST_F(MesherSheets, ASheetOutsideTheBoxIsAnError)

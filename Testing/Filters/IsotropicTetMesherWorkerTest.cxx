@@ -64,16 +64,10 @@ protected:
   // The warnings on the way to a mesh.
   std::string Warning()
   {
-    std::string text;
-    vtkNew<vtkCallbackCommand> listen;
-    listen->SetClientData(&text);
-    listen->SetCallback([](vtkObject*, unsigned long, void* all, void* message)
-      { *static_cast<std::string*>(all) += static_cast<const char*>(message); });
-    this->Mesher->AddObserver(vtkCommand::WarningEvent, listen);
+    WarningCatcher warnings(this->Mesher);
     this->Mesher->Update();
-    this->Mesher->RemoveObserver(listen);
     EXPECT_GT(this->Mesher->GetOutput()->GetNumberOfCells(), 0);
-    return text;
+    return warnings.GetText();
   }
 
   std::string Switches()
