@@ -1,7 +1,7 @@
 """A steady incompressible case for OpenFOAM's simpleFoam, written, run and read.
 
-Settings that work on prisms with tetrahedra above them: no limiter on gradients, wall distances by exactDistance
-(meshWave is wrong over tetrahedra), SIMPLEC.
+Schemes and solvers are those of Examples/OpenFOAM/case, which work on prisms with tetrahedra above them: no limiter on
+gradients, wall distances by exactDistance (meshWave is wrong over tetrahedra), SIMPLEC.
 """
 import os
 import re
@@ -14,38 +14,9 @@ from ransmeshing import vtkOpenFOAMMeshWriter
 
 ROOT = "/usr/share/openfoam"  # Debian's
 
+SETTINGS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "OpenFOAM", "case", "system")
+
 HEADER = "FoamFile\n{{\n    version 2.0;\n    format ascii;\n    class {kind};\n    object {name};\n}}\n"
-
-SCHEMES = """
-ddtSchemes { default steadyState; }
-gradSchemes { default Gauss linear; }
-divSchemes
-{
-    default none;
-    div(phi,U) bounded Gauss linearUpwind grad(U);
-    div(phi,nuTilda) bounded Gauss limitedLinear 1;
-    div((nuEff*dev2(T(grad(U))))) Gauss linear;
-}
-laplacianSchemes { default Gauss linear limited corrected 0.5; }
-interpolationSchemes { default linear; }
-snGradSchemes { default limited corrected 0.5; }
-wallDist { method exactDistance; }
-"""
-
-SOLUTION = """
-solvers
-{
-    p { solver GAMG; smoother GaussSeidel; tolerance 1e-10; relTol 0.05; }
-    "(U|nuTilda)" { solver smoothSolver; smoother symGaussSeidel; tolerance 1e-12; relTol 0.05; }
-}
-SIMPLE
-{
-    consistent yes;
-    nNonOrthogonalCorrectors 1;
-    %(reference)s
-}
-relaxationFactors { equations { U 0.9; nuTilda 0.8; } fields { p 1; } }
-"""
 
 CONTROL = """
 application simpleFoam;
@@ -115,8 +86,10 @@ class Case:
         self._write("constant/turbulenceProperties", "dictionary", f"simulationType {kind}\n")
         self._write("constant/transportProperties", "dictionary",
                     f"transportModel Newtonian;\nnu {viscosity:.12g};\n")
-        self._write("system/fvSchemes", "dictionary", SCHEMES)
-        self._write("system/fvSolution", "dictionary", SOLUTION % {"reference": reference})
+        for name in ("fvSchemes", "fvSolution"):
+            shutil.copy(os.path.join(SETTINGS, name), os.path.join(self.folder, "system"))
+        with open(os.path.join(self.folder, "system", "fvSolution"), "a", encoding="ascii") as file:
+            file.write(f"SIMPLE {{ {reference} }}\n")  # entries of a dictionary that is given twice are joined
         self._write("system/controlDict", "dictionary", CONTROL % {"end": steps, "interval": interval})
         for name, (dimensions, value, patches) in fields.items():
             entries = "\n".join(f'    {patch} {{ {entry} }}' for patch, entry in patches.items())
