@@ -34,6 +34,41 @@ std::string reasonsOf(const ransmesh::EnrichmentReport& report)
   }
   return text;
 }
+// Checks in debug builds what holds by construction.
+ransmesh::Outcome checkMesh([[maybe_unused]] const ransmesh::MeshData& mesh)
+{
+#ifndef NDEBUG
+  if (const auto faults = ransmesh::findFaults(mesh); !faults.none())
+  {
+    return ransmesh::Outcome::internalFault("the enriched mesh is not valid: " + faults.text());
+  }
+#endif
+  return ransmesh::Outcome::done();
+}
+
+// The boundary shows both sides of sheets, which are one in the mesh.
+ransmesh::Outcome makeLayers(ransmesh::MeshData& mesh, const ransmesh::PatchTable& patches,
+  const ransmesh::LayerPlan& plan, const ransmesh::EnrichmentOptions& options,
+  const ransmesh::Context& context, ransmesh::EnrichedMesh& enriched, vtkPolyData* boundary)
+{
+  ransmesh::OpenedSheets sheets;
+  if (auto outcome = ransmesh::openSheets(mesh, sheets); !outcome.ok())
+  {
+    return outcome;
+  }
+  const ransmesh::PatchTable seen = ransmesh::patchesOfOpened(patches, sheets.patches, plan);
+  if (auto outcome = ransmesh::enrichOpened(mesh, sheets, seen, plan, options, context, enriched);
+      !outcome.ok())
+  {
+    return outcome;
+  }
+  ransmesh::writeEnrichedBoundary(enriched, patches, boundary);
+  if (auto outcome = ransmesh::closeSheets(sheets, enriched); !outcome.ok())
+  {
+    return outcome;
+  }
+  return checkMesh(enriched.mesh);
+}
 } // namespace
 
 vtkStandardNewMacro(vtkDirectionalEnrichment);
@@ -55,16 +90,14 @@ int vtkDirectionalEnrichment::RequestData(
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector, 0);
   vtkPolyData* boundary = vtkPolyData::GetData(outputVector, 1);
-
-  ransmesh::MeshData mesh;
-  ransmesh::PatchTable patches;
-  ransmesh::LayerPlan plan;
-  ransmesh::OpenedSheets sheets;
-  ransmesh::EnrichedMesh enriched;
   ransmesh::EnrichmentOptions options;
   options.gapFraction = this->GapFraction;
   options.maximumSurfaceAngle = this->MaximumSurfaceAngle;
 
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  ransmesh::LayerPlan plan;
+  ransmesh::EnrichedMesh enriched;
   ransmesh::Outcome outcome = ransmesh::readMesh(input, mesh, patches);
   const std::vector<int> regions = outcome.ok() ? ransmesh::readRegions(input) : std::vector<int>();
   const ransmesh::RegionMemory memory(mesh, regions);
@@ -74,30 +107,14 @@ int vtkDirectionalEnrichment::RequestData(
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::openSheets(mesh, sheets);
+    outcome = makeLayers(mesh, patches, plan, options, ransmesh::makeContext(this), enriched, boundary);
   }
-  if (outcome.ok())
-  {
-    const ransmesh::PatchTable seen = ransmesh::patchesOfOpened(patches, sheets.patches, plan);
-    outcome =
-      ransmesh::enrichOpened(mesh, sheets, seen, plan, options, ransmesh::makeContext(this), enriched);
-  }
-  if (outcome.ok())
-  {
-    ransmesh::writeEnrichedBoundary(enriched, patches, boundary); // shows both sides of a sheet
-    outcome = ransmesh::closeSheets(sheets, enriched);
-  }
-#ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(enriched.mesh); outcome.ok() && !faults.none())
-  {
-    outcome = ransmesh::Outcome::internalFault("the enriched mesh is not valid: " + faults.text());
-  }
-#endif
   if (!outcome.ok())
   {
     boundary->Initialize();
     return this->Refuse(outcome);
   }
+
   ransmesh::writeEnrichedMesh(enriched, patches, input->GetPointData(), output);
   this->CarryRegions(regions, memory.recall(enriched.mesh, enriched.origin), output);
   output->GetFieldData()->PassData(input->GetFieldData());

@@ -67,6 +67,52 @@ void keepPointData(vtkPointData* from, const std::vector<ransmesh::Index>& origi
     to->CopyData(from, origin[i], static_cast<vtkIdType>(i));
   }
 }
+// Checks in debug builds what holds by construction.
+ransmesh::Outcome checkMesh([[maybe_unused]] const ransmesh::MeshData& mesh)
+{
+#ifndef NDEBUG
+  if (const auto faults = ransmesh::findFaults(mesh); !faults.none())
+  {
+    return ransmesh::Outcome::internalFault("the mesh after point removal is not valid: " + faults.text());
+  }
+#endif
+  return ransmesh::Outcome::done();
+}
+
+struct Room
+{
+  ransmesh::RemovalResult result;
+  std::vector<ransmesh::Index> origin; // of each point that remains, the input's
+};
+
+ransmesh::Outcome makeRoom(ransmesh::MeshData& mesh, const ransmesh::PatchTable& patches,
+  const ransmesh::LayerPlan& plan, const ransmesh::RemovalOptions& options, const ransmesh::Context& context,
+  Room& room)
+{
+  ransmesh::OpenedSheets sheets;
+  if (auto outcome = ransmesh::openSheets(mesh, sheets); !outcome.ok())
+  {
+    return outcome;
+  }
+  ransmesh::TetMesh opened;
+  if (auto outcome = ransmesh::buildTetMesh(mesh, opened); !outcome.ok())
+  {
+    return outcome;
+  }
+  room.result = ransmesh::removePoints(
+    opened, ransmesh::withFrozenSheets(patches, sheets.patches), plan, options, context);
+  if (!room.result.outcome.ok())
+  {
+    return room.result.outcome;
+  }
+  std::vector<ransmesh::Index> newNumber;
+  if (auto outcome = takeMesh(opened, sheets, mesh, newNumber); !outcome.ok())
+  {
+    return outcome;
+  }
+  room.origin = originsOf(newNumber, sheets, mesh.points.size());
+  return checkMesh(mesh);
+}
 } // namespace
 
 int vtkRANSPointRemoval::RequestData(
@@ -74,64 +120,40 @@ int vtkRANSPointRemoval::RequestData(
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputVector[0]);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-
-  ransmesh::MeshData data;
-  ransmesh::PatchTable patches;
-  ransmesh::LayerPlan plan;
-  ransmesh::OpenedSheets sheets;
-  ransmesh::TetMesh mesh;
-  ransmesh::RemovalResult result;
+  const ransmesh::Context context = ransmesh::makeContext(this);
   ransmesh::RemovalOptions options;
   options.maximumSurfaceAngle = this->MaximumSurfaceAngle;
-  const ransmesh::Context context = ransmesh::makeContext(this);
 
-  ransmesh::Outcome outcome = ransmesh::readMesh(input, data, patches);
+  ransmesh::MeshData mesh;
+  ransmesh::PatchTable patches;
+  ransmesh::LayerPlan plan;
+  Room room;
+  ransmesh::Outcome outcome = ransmesh::readMesh(input, mesh, patches);
   const std::vector<int> regions = outcome.ok() ? ransmesh::readRegions(input) : std::vector<int>();
-  const ransmesh::RegionMemory memory(data, regions);
+  const ransmesh::RegionMemory memory(mesh, regions);
   if (outcome.ok())
   {
-    outcome = this->PlanLayers(data, patches, input->GetFieldData(), plan);
-  }
-  if (outcome.ok())
-  {
-    outcome = ransmesh::openSheets(data, sheets);
+    outcome = this->PlanLayers(mesh, patches, input->GetFieldData(), plan);
   }
   if (outcome.ok())
   {
-    outcome = ransmesh::buildTetMesh(data, mesh);
+    outcome = makeRoom(mesh, patches, plan, options, context, room);
   }
-  if (outcome.ok())
-  {
-    result = ransmesh::removePoints(
-      mesh, ransmesh::withFrozenSheets(patches, sheets.patches), plan, options, context);
-    outcome = result.outcome;
-  }
-  std::vector<ransmesh::Index> newNumber;
-  if (outcome.ok())
-  {
-    outcome = takeMesh(mesh, sheets, data, newNumber);
-  }
-#ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(data); outcome.ok() && !faults.none())
-  {
-    outcome = ransmesh::Outcome::internalFault("the mesh after point removal is not valid: " + faults.text());
-  }
-#endif
   if (!outcome.ok())
   {
     return this->Refuse(outcome);
   }
-  ransmesh::writeMesh(data, patches, output);
-  const std::vector<ransmesh::Index> origin = originsOf(newNumber, sheets, data.points.size());
-  keepPointData(input->GetPointData(), origin, output->GetPointData());
-  this->CarryRegions(regions, memory.recall(data, origin), output);
+
+  ransmesh::writeMesh(mesh, patches, output);
+  keepPointData(input->GetPointData(), room.origin, output->GetPointData());
+  this->CarryRegions(regions, memory.recall(mesh, room.origin), output);
   output->GetFieldData()->PassData(input->GetFieldData());
   ransmesh::writePatches(patches, output->GetFieldData());
   ransmesh::writePlan(plan, output->GetFieldData());
-  this->NumberOfMarkedPoints = static_cast<vtkIdType>(result.marked);
-  this->NumberOfRemovedPoints = static_cast<vtkIdType>(result.removed);
-  this->NumberOfShapePoints = static_cast<vtkIdType>(result.neededByShape);
-  context.remark(result.text());
+  this->NumberOfMarkedPoints = static_cast<vtkIdType>(room.result.marked);
+  this->NumberOfRemovedPoints = static_cast<vtkIdType>(room.result.removed);
+  this->NumberOfShapePoints = static_cast<vtkIdType>(room.result.neededByShape);
+  context.remark(room.result.text());
   return 1;
 }
 
