@@ -1,11 +1,15 @@
 """Files that the command line program reads, and what it says of those that it cannot use."""
 import gzip
 import os
+import re
 import struct
 import unittest
 
 import surfaces
 from command_line import LAYERS, NOSECONE, CommandLineTest
+
+# The mesher's own list: the program reads the same arrays.
+MESHERS_ARRAYS = os.path.join(os.path.dirname(__file__), "..", "..", "Filters", "Core", "PatchNumbering.cxx")
 
 
 class Inputs(CommandLineTest):
@@ -115,10 +119,15 @@ class Readers(CommandLineTest):
     def test_numbers_of_other_tools_in_vtp(self):
         points, triangles = surfaces.sphere()
         halves = [3 if sum(points[v][2] for v in triangle) > 0 else 8 for triangle in triangles]
-        for numbers, names in ((halves, ["ball_3", "ball_8"]), ([5] * len(triangles), ["ball"])):
-            for array in ("cell_tags", "GroupIds"):
-                path = self.file("ball.vtp", surfaces.vtp_text(points, triangles, array, numbers))
-                self.assertEqual(sorted(self.patches(path)), names)
+        with open(MESHERS_ARRAYS, encoding="utf-8") as file:
+            arrays = re.findall(r'"([^"]+)"', re.search(r"ForeignArrays\[\] = \{(.*?)\}", file.read(), re.DOTALL)[1])
+        self.assertGreater(len(arrays), 5)
+        for array in arrays:
+            with self.subTest(array):
+                path = self.file("ball.vtp", surfaces.vtp_text(points, triangles, array, halves))
+                self.assertEqual(sorted(self.patches(path)), ["ball_3", "ball_8"])
+        path = self.file("ball.vtp", surfaces.vtp_text(points, triangles, "GroupIds", [5] * len(triangles)))
+        self.assertEqual(self.patches(path), ["ball"])
 
     def test_several_files(self):
         points, sides = surfaces.box()
