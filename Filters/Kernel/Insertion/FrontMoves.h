@@ -11,6 +11,11 @@
 namespace ransmesh
 {
 // How hard a move may try: what it accepts grows with the effort.
+// The least quality that a move may be content with: in layers and gaps much thinner than the surface's size all
+// tetrahedra are needles, but in a plane side a flatter one is positive by rounding alone, and its triangle may be
+// turned over.
+inline constexpr double LeastQualityOfMoves = 1e-11;
+
 struct MoveEffort
 {
   double leastQuality;      // of the tetrahedra after a move that makes them worse

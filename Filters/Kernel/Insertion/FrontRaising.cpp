@@ -31,9 +31,7 @@ constexpr double ShortestOfFirstHeight = 0.5;
 // A step that is all but complete is completed, so that coordinates are exactly the level's.
 constexpr double Complete = 0.99999;
 
-// The last one is for layers and gaps much thinner than the surface's size, where all tetrahedra are needles: exact
-// positivity is enough.
-constexpr MoveEffort Efforts[4] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 }, { 1e-15, 60 } };
+constexpr MoveEffort Efforts[4] = { { 0.05, 8 }, { 0.02, 16 }, { 0.01, 30 }, { LeastQualityOfMoves, 60 } };
 constexpr int SweepsPerEffort = 2;
 
 class Raiser

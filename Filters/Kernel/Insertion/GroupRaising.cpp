@@ -23,7 +23,7 @@ constexpr int RaisingPasses = 3;
 constexpr int LoweringPasses = 4;
 // A way that fails is tried by halves.
 constexpr int MostFailures = 4;
-constexpr MoveEffort Effort{ 1e-15, 60 };
+constexpr MoveEffort Effort{ LeastQualityOfMoves, 60 };
 } // namespace
 
 bool GroupRaising::run(const Context& context)

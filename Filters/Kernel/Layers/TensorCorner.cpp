@@ -39,6 +39,21 @@ bool isUprightOn(const std::vector<Vector3>& sideNormals, const Vector3& normal)
     { return std::fabs(dot(side, normal)) < std::sin(largestLeanAtSide * Degree); });
 }
 
+// Do the columns between three walls stand well on each of them?
+bool isUpright(const TensorCorner& corner)
+{
+  constexpr double rounding = 1e-6;
+  for (int w = 0; w < corner.walls; ++w)
+  {
+    if (dot(normalized(corner.rise[w]), corner.normal[w]) <
+      std::cos(largestLeanBetweenThree * Degree) - rounding)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool isPlane(const FaceRing& ring, const FaceGroup& wall, const Vector3& normal)
 {
   const auto faces = wall.of(ring);
@@ -92,6 +107,6 @@ bool findTensorCorner(const Vector3& point, const TetMesh& mesh, FaceRing& ring,
     const Vector3 along = cross(planes[(w + 1) % 3], planes[(w + 2) % 3]);
     corner.rise[w] = withoutRounding((1 / determinant) * along);
   }
-  return true;
+  return corner.walls == 2 || isUpright(corner);
 }
 } // namespace ransmesh

@@ -23,6 +23,10 @@ inline constexpr double largestTensorTurn = 140;
 // So much (degrees) a corner's walls may lean against the side that its ridge ends at: the grid leans with it.
 inline constexpr double largestLeanAtSide = 20;
 
+// So much (degrees) columns between three walls may lean: as they do on two that enclose 60 degrees and stand on the
+// third. There are the most of them, and where they lean more the single column is better.
+inline constexpr double largestLeanBetweenThree = 30;
+
 struct TensorCorner
 {
   Index column = None;

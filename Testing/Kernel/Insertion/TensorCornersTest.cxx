@@ -85,6 +85,20 @@ TEST(TensorCorners, SkewWallsHaveParallelograms)
   }
 }
 
+// Two walls enclose 61 degrees, then 57: there the columns between all three would lean by 33.
+TEST(TensorCorners, BetweenThreeWallsColumnsLeanByThirtyDegreesAtMost)
+{
+  const auto planned = [](double lean)
+  {
+    const auto skew = [lean](const Vector3& p) { return Vector3{ p.x + lean * p.z, p.y, p.z }; };
+    const auto enriched = enrichAndCheck(
+      make({ 5, 5, 5, skew }), patches(PatchType::Symmetry), planFor(7, { XLow, YLow, ZLow }, 1e-4, 8));
+    EXPECT_EQ(enriched.report.pointsInserted, enriched.report.pointsRequested);
+    return enriched.report.grids.planned;
+  };
+  EXPECT_EQ(planned(0.55), planned(0.65) + 1);
+}
+
 TEST(TensorCorners, WideCornersHaveOneColumn)
 {
   // The walls enclose 60 degrees on one side of the box and 120 on the other.
