@@ -20,6 +20,14 @@ namespace
 // Where walls turn less into each other (degrees), columns hardly lean over the points beside the ridge.
 constexpr double LeastTurn = 45;
 
+// How far over the wall the layers of one that turns so much into it (radians) reach, for each unit of their height:
+// the corner's column leans by half the turn, and a grid is as wide as its other wall's step.
+double wayAlongWall(double turn)
+{
+  const double ofColumn = std::tan(turn / 2);
+  return turn * DegreesOfRadian < leastTensorTurn ? ofColumn : std::max(ofColumn, 1 / std::sin(turn));
+}
+
 // An edge between two walls, as the triangle on one of its sides has it.
 struct RidgeSide
 {
@@ -134,10 +142,7 @@ private:
     if (thickness > 0)
     {
       const double beyond = margin_ * std::min(1.0, thickness * thickness / (size * size)) * size;
-      // A grid is as wide as its other wall's step; a single column leans by half the turn.
-      const double way =
-        turn < leastTensorTurn ? std::tan(turn / 2 / DegreesOfRadian) : 1 / std::sin(turn / DegreesOfRadian);
-      reach_ = (thickness + beyond) * way;
+      reach_ = (thickness + beyond) * wayAlongWall(turn / DegreesOfRadian);
       followRidge(here);
       flood(here);
     }

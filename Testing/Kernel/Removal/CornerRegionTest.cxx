@@ -90,12 +90,12 @@ TEST(CornerRegion, RidgePointsGoFromCornersOfThreeWalls)
 
 TEST(CornerRegion, SkewCornersReachFartherAlongTheWall)
 {
-  // XLow leans over ZLow by 30 degrees to 60: layers 2 thick reach 2 / sin(60 degrees) along either wall.
+  // XLow leans over ZLow by 30 degrees to 60: the column along the bisector is 1.8 tan(60 degrees) along either wall.
   const auto lean = [](const Vector3& p) { return Vector3{ p.x + p.z / 2, p.y, p.z * std::sqrt(3) / 2 }; };
   const Found upright = find(planWith(1.8 * Size, { XLow, ZLow }));
   const Found leaning = find(planWith(1.8 * Size, { XLow, ZLow }), lean);
   EXPECT_EQ(upright.points.size(), 2u * (Count + 1));
-  EXPECT_EQ(leaning.points.size(), 4u * (Count + 1));
+  EXPECT_EQ(leaning.points.size(), 6u * (Count + 1));
 }
 
 TEST(CornerRegion, WideCornersMakeRoomForTheirLeaningColumn)
