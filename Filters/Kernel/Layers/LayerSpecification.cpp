@@ -85,12 +85,12 @@ LayerHeights::LayerHeights(const LayerSpecification& s)
 namespace
 {
 // The quality report takes spacings for a column's that are off by a factor of at most 1.3.
-constexpr double LeastLastSpacing = 0.78;
+constexpr double LeastSqueezedSpacing = 0.78;
 constexpr double LeastGrowth = 0.96;
 
 double squeezeFactor(int levels)
 {
-  return levels < 2 ? 1 : std::max(LeastGrowth, std::pow(LeastLastSpacing, 1.0 / (levels - 1)));
+  return levels < 2 ? 1 : std::max(LeastGrowth, std::pow(LeastSqueezedSpacing, 1.0 / (levels - 1)));
 }
 } // namespace
 

@@ -169,34 +169,20 @@ public:
   void undoTrial();
 
 private:
-  void notePoint(Index v)
+  // Before slot i of these changes.
+  template <class Content>
+  void note(
+    std::vector<std::pair<Index, Content>> MeshChanges::*log, const std::vector<Content>& slots, Index i)
   {
     if (trial_)
     {
-      trial_->points.emplace_back(v, points_[v]);
+      ((*trial_).*log).emplace_back(i, slots[i]);
     }
   }
-  void noteVertexTet(Index v)
-  {
-    if (trial_)
-    {
-      trial_->vertexTets.emplace_back(v, vertexTet_[v]);
-    }
-  }
-  void noteTet(Index t)
-  {
-    if (trial_)
-    {
-      trial_->tets.emplace_back(t, tets_[t]);
-    }
-  }
-  void noteBoundaryFace(Index b)
-  {
-    if (trial_)
-    {
-      trial_->boundary.emplace_back(b, boundary_[b]);
-    }
-  }
+  void notePoint(Index v) { note(&MeshChanges::points, points_, v); }
+  void noteVertexTet(Index v) { note(&MeshChanges::vertexTets, vertexTet_, v); }
+  void noteTet(Index t) { note(&MeshChanges::tets, tets_, t); }
+  void noteBoundaryFace(Index b) { note(&MeshChanges::boundary, boundary_, b); }
 
   std::vector<Vector3> points_;
   std::vector<Index> vertexTet_;
