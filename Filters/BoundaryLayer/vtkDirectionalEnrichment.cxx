@@ -1,5 +1,6 @@
 #include "vtkDirectionalEnrichment.h"
 
+#include "DebugCheck.h"
 #include "EnrichmentOutput.h"
 #include "MeshConversion.h"
 #include "PatchFieldData.h"
@@ -34,17 +35,6 @@ std::string reasonsOf(const ransmesh::EnrichmentReport& report)
   }
   return text;
 }
-// Checks in debug builds what holds by construction.
-ransmesh::Outcome checkMesh([[maybe_unused]] const ransmesh::MeshData& mesh)
-{
-#ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(mesh); !faults.none())
-  {
-    return ransmesh::Outcome::internalFault("the enriched mesh is not valid: " + faults.text());
-  }
-#endif
-  return ransmesh::Outcome::done();
-}
 
 // The boundary shows both sides of sheets, which are one in the mesh.
 ransmesh::Outcome makeLayers(ransmesh::MeshData& mesh, const ransmesh::PatchTable& patches,
@@ -67,7 +57,7 @@ ransmesh::Outcome makeLayers(ransmesh::MeshData& mesh, const ransmesh::PatchTabl
   {
     return outcome;
   }
-  return checkMesh(enriched.mesh);
+  return ransmesh::checkInDebugBuilds(enriched.mesh, "the enriched mesh");
 }
 } // namespace
 

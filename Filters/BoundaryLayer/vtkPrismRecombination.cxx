@@ -1,5 +1,6 @@
 #include "vtkPrismRecombination.h"
 
+#include "DebugCheck.h"
 #include "MeshConversion.h"
 #include "MixedConversion.h"
 #include "StageContext.h"
@@ -116,12 +117,10 @@ int vtkPrismRecombination::RequestData(
   {
     outcome = ransmesh::recombinePrisms(mesh, prism, this->MaximumNonOrthogonality, context, result);
   }
-#ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(result.mesh); outcome.ok() && !faults.none())
+  if (outcome.ok())
   {
-    outcome = ransmesh::Outcome::internalFault("the mesh with prisms is not valid: " + faults.text());
+    outcome = ransmesh::checkInDebugBuilds(result.mesh, "the mesh with prisms");
   }
-#endif
   if (outcome.kind == ransmesh::Outcome::Kind::Cancelled)
   {
     return 1;

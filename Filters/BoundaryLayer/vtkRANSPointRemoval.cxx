@@ -1,5 +1,6 @@
 #include "vtkRANSPointRemoval.h"
 
+#include "DebugCheck.h"
 #include "MeshConversion.h"
 #include "PatchFieldData.h"
 #include "RegionArrays.h"
@@ -67,17 +68,6 @@ void keepPointData(vtkPointData* from, const std::vector<ransmesh::Index>& origi
     to->CopyData(from, origin[i], static_cast<vtkIdType>(i));
   }
 }
-// Checks in debug builds what holds by construction.
-ransmesh::Outcome checkMesh([[maybe_unused]] const ransmesh::MeshData& mesh)
-{
-#ifndef NDEBUG
-  if (const auto faults = ransmesh::findFaults(mesh); !faults.none())
-  {
-    return ransmesh::Outcome::internalFault("the mesh after point removal is not valid: " + faults.text());
-  }
-#endif
-  return ransmesh::Outcome::done();
-}
 
 struct Room
 {
@@ -111,7 +101,7 @@ ransmesh::Outcome makeRoom(ransmesh::MeshData& mesh, const ransmesh::PatchTable&
     return outcome;
   }
   room.origin = originsOf(newNumber, sheets, mesh.points.size());
-  return checkMesh(mesh);
+  return ransmesh::checkInDebugBuilds(mesh, "the mesh after point removal");
 }
 } // namespace
 

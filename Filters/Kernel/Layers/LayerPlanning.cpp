@@ -1,5 +1,6 @@
 #include "Layers/LayerPlanning.h"
 
+#include "Geometry/Extent.h"
 #include "Support/Numbers.h"
 
 #include <algorithm>
@@ -29,26 +30,6 @@ std::string listOfNames(const PatchTable& patches)
     out += (i > 1 ? ", " : "") + patches[i].name + " (" + std::string(nameOf(patches[i].type)) + ")";
   }
   return patches.size() > shown + 1 ? out + ", ..." : out;
-}
-
-struct Box
-{
-  Vector3 low{ INFINITY, INFINITY, INFINITY };
-  Vector3 high{ -INFINITY, -INFINITY, -INFINITY };
-};
-
-Box boundsOf(const MeshData& mesh)
-{
-  Box box;
-  for (const Vector3& p : mesh.points)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      box.low[i] = std::min(box.low[i], p[i]);
-      box.high[i] = std::max(box.high[i], p[i]);
-    }
-  }
-  return box;
 }
 
 // Fewer of them apart, a level's height is right to a tenth no more.
@@ -181,7 +162,7 @@ std::vector<int> patchesOf(const PatchTable& patches, const std::string& pattern
 
 std::vector<char> findBoxSides(const MeshData& mesh, std::size_t patchCount)
 {
-  const Box box = boundsOf(mesh);
+  const Extent box = extentOf(mesh.points);
   // For each patch and each of the six sides: do all points lie in it?
   std::vector<std::array<char, 6>> inSide(patchCount, { 1, 1, 1, 1, 1, 1 });
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -266,9 +247,7 @@ Outcome planLayers(
   {
     return outcome;
   }
-  const Box box = boundsOf(mesh);
-  const Vector3 size = box.high - box.low;
-  const double extent = std::max({ size.x, size.y, size.z });
+  const double extent = extentOf(mesh.points).largestLength();
   const std::vector<double> largest = largestCoordinates(mesh, patches.size());
   plan.assign(patches.size(), LayerSpecification{});
   for (std::size_t i = 1; i < patches.size(); ++i)
