@@ -2,12 +2,10 @@
 
 #include "Geometry/Angles.h"
 #include "Geometry/Predicates.h"
-#include "Insertion/TensorGrid.h"
+#include "Insertion/TensorChains.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <tuple>
 
 namespace ransmesh
@@ -29,18 +27,13 @@ struct StripEnd
 class StackMaker
 {
 public:
-  StackMaker(const TetMesh& mesh, const ColumnSet& set, const std::vector<BaseFace>& faces,
-    const ColumnPoints& numbers, const std::vector<Index>& baseNumber, const CornerChoice& choice,
-    const std::vector<Vector3>& points, TensorStacks& out)
-    : mesh_(mesh)
-    , set_(set)
+  StackMaker(const ColumnSet& set, const std::vector<BaseFace>& faces, const CornerChoice& choice,
+    TensorChains& chains, TensorStacks& out)
+    : set_(set)
     , faces_(faces)
-    , numbers_(numbers)
-    , baseNumber_(baseNumber)
     , choice_(choice)
-    , points_(points)
+    , chains_(chains)
     , out_(out)
-    , grids_(set.corners.size())
     , squaresDone_(set.corners.size())
   {
   }
@@ -85,103 +78,6 @@ public:
   }
 
 private:
-  struct Grid
-  {
-    TensorGrid points;
-    std::map<std::size_t, Index> chains; // by slot of the base point
-  };
-
-  // In which chains rise, as columns do in stacks without grids, which these meet.
-  struct ChainOrder
-  {
-    bool isOfGrid = true;
-    bool risesLater = true;
-    int unevenness = 0; // counts in the first level
-    Index root = None;
-  };
-
-  Grid& gridOf(Index corner)
-  {
-    if (!grids_[corner])
-    {
-      grids_[corner].emplace(
-        Grid{ TensorGrid(set_, set_.corners[corner], numbers_, points_.size(), out_.points), {} });
-      out_.origin.resize(out_.points.size(), { set_.corners[corner].column, None, 0 });
-    }
-    return *grids_[corner];
-  }
-
-  Index addChain(std::vector<Index> points, const ChainOrder& order)
-  {
-    out_.chains.push_back(std::move(points));
-    orderOfChain_.push_back(order);
-    return static_cast<Index>(out_.chains.size() - 1);
-  }
-
-  // The chain on the base point of the corner's grid, which lies on the wall.
-  Index gridChain(Index corner, const GridPlace& base, int wall, int patch)
-  {
-    Grid& grid = gridOf(corner);
-    const auto [found, isNew] = grid.chains.try_emplace(grid.points.slot(base), None);
-    if (isNew)
-    {
-      std::vector<Index> chain = grid.points.chainAbove(base, wall);
-      const auto isGridPoint = static_cast<std::size_t>(chain[0]) >= points_.size();
-      if (isGridPoint)
-      {
-        GridPoint& origin = out_.origin[static_cast<std::size_t>(chain[0]) - points_.size()];
-        origin.layers = static_cast<int>(chain.size()) - 1;
-        origin.patch = patch;
-      }
-      found->second =
-        addChain(std::move(chain), { true, true, 0, set_.columns[set_.corners[corner].column].root });
-    }
-    return found->second;
-  }
-
-  // The chain of a column as it is, or of a bare vertex.
-  Index plainChain(const BaseFace& face, int j)
-  {
-    const auto [found, isNew] = plain_.try_emplace({ face.root[j], face.column[j] }, None);
-    if (isNew)
-    {
-      std::vector<Index> chain{ baseNumber_[face.root[j]] };
-      const int levels = face.column[j] == None ? 0 : set_.columns[face.column[j]].levels;
-      for (int level = 1; level <= levels; ++level)
-      {
-        chain.push_back(numbers_.at(face.column[j], level));
-      }
-      found->second = addChain(std::move(chain),
-        { false, risesLater(set_, face.column[j]), unevennessOf(set_, face.column[j]), face.root[j] });
-    }
-    return found->second;
-  }
-
-  // A place of the grid on the wall: so far from each of the wall's two (or one) ridges.
-  static GridPlace placeOn(int wall, int first, int second)
-  {
-    GridPlace place{};
-    place[(wall + 1) % 3] = first;
-    place[(wall + 2) % 3] = second;
-    return place;
-  }
-  GridPlace outermost(Index corner, int wall)
-  {
-    const int levels = gridOf(corner).points.levels();
-    GridPlace place = placeOn(wall, levels, levels);
-    place[2] = set_.corners[corner].walls == 2 ? 0 : place[2];
-    return place;
-  }
-  Index outerChain(const BaseFace& face, int j, Index corner)
-  {
-    if (corner == None)
-    {
-      return plainChain(face, j);
-    }
-    const int wall = choice_.wallAt(corner, face);
-    return gridChain(corner, outermost(corner, wall), wall, face.patch);
-  }
-
   void addStack(const std::array<Index, 3>& chains, const std::array<int, 3>& levels,
     const std::array<int, 3>& sideOpposite, int patch)
   {
@@ -190,7 +86,7 @@ private:
     t.sideOpposite = sideOpposite;
     for (int j = 0; j < 3; ++j)
     {
-      const std::vector<Index>& points = out_.chains[chains[j]];
+      const std::vector<Index>& points = chains_.at(chains[j]);
       t.chain[j] = &points;
       t.stack.root[j] = points[0]; // no fans here: each stands on a point of its own
       t.stack.levels[j] = std::min(levels[j], static_cast<int>(points.size()) - 1);
@@ -199,7 +95,7 @@ private:
     // tetrahedron of it and the points below the plane's would be flat.
     const auto key = [&](int j, bool isFirst)
     {
-      const ChainOrder& order = orderOfChain_[chains[j]];
+      const ChainOrder& order = chains_.order(chains[j]);
       return std::tuple(
         order.isOfGrid, order.risesLater, isFirst ? order.unevenness : 0, order.root, chains[j]);
     };
@@ -215,7 +111,7 @@ private:
     std::array<Index, 3> chains;
     for (int j = 0; j < 3; ++j)
     {
-      chains[j] = outerChain(face, j, corners[j]);
+      chains[j] = chains_.outer(face, j, corners[j]);
     }
     constexpr int all = MaximumNumberOfLayers;
     addStack(chains, { all, all, all }, face.sideOpposite, face.patch);
@@ -228,14 +124,14 @@ private:
     end.hasGrid = corner != None;
     if (!end.hasGrid)
     {
-      end.chains = { plainChain(face, j) };
+      end.chains = { chains_.plain(face, j) };
       return end;
     }
     const int wall = choice_.wallAt(corner, face);
-    GridPlace place = outermost(corner, wall);
-    for (place[across] = 0; place[across] <= gridOf(corner).points.levels(); ++place[across])
+    GridPlace place = chains_.outermost(corner, wall);
+    for (place[across] = 0; place[across] <= chains_.levels(corner); ++place[across])
     {
-      end.chains.push_back(gridChain(corner, place, wall, face.patch));
+      end.chains.push_back(chains_.ofGrid(corner, place, wall, face.patch));
     }
     return end;
   }
@@ -308,9 +204,12 @@ private:
     const TensorCorner& c = set_.corners[corner];
     const bool turnsLeft = dot(cross(c.rise[(wall + 1) % 3], c.rise[(wall + 2) % 3]), c.normal[wall]) > 0;
     const auto chain = [&](int a, int b)
-    { return gridChain(corner, turnsLeft ? placeOn(wall, a, b) : placeOn(wall, b, a), wall, face.patch); };
+    {
+      return chains_.ofGrid(corner,
+        turnsLeft ? TensorChains::placeOn(wall, a, b) : TensorChains::placeOn(wall, b, a), wall, face.patch);
+    };
     constexpr int all = MaximumNumberOfLayers;
-    const int levels = gridOf(corner).points.levels();
+    const int levels = chains_.levels(corner);
     for (int a = 0; a < levels; ++a)
     {
       for (int b = 0; b < levels; ++b)
@@ -321,24 +220,19 @@ private:
     }
   }
 
-  const Vector3& pointOf(Index number) const
-  {
-    const auto n = static_cast<std::size_t>(number);
-    return n < points_.size() ? points_[n] : out_.points[n - points_.size()];
-  }
-
   // Are the stacks from the first on positive, and their triangles on the wall where it was?
   bool stand(std::size_t first, const Vector3& normal, double leastCosine) const
   {
     return std::all_of(out_.stacks.begin() + static_cast<std::ptrdiff_t>(first), out_.stacks.end(),
       [&](const TensorStack& t)
       {
-        std::array<Vector3, 3> current{ pointOf(t.at(0, 0)), pointOf(t.at(1, 0)), pointOf(t.at(2, 0)) };
+        std::array<Vector3, 3> current{ chains_.point(t.at(0, 0)), chains_.point(t.at(1, 0)),
+          chains_.point(t.at(2, 0)) };
         bool stands = dot(normalOf(current), normal) > leastCosine;
         forEachRise(t.stack,
           [&](int below, int corner, bool)
           {
-            const Vector3& risen = pointOf(t.at(corner, below + 1));
+            const Vector3& risen = chains_.point(t.at(corner, below + 1));
             stands = stands && isPositive(current[0], current[1], current[2], risen);
             current[corner] = risen;
           });
@@ -355,25 +249,19 @@ private:
       if (corners[j] != None)
       {
         const Column& column = set_.columns[set_.corners[corners[j]].column];
-        const Vector3& outermost = pointOf(out_.chains[outerChain(face, j, corners[j])][0]);
+        const Vector3& outermost = chains_.point(chains_.at(chains_.outer(face, j, corners[j]))[0]);
         result = result || std::fabs(dot(outermost - column.base, normal)) > LargestDrift * column.size;
       }
     }
     return result;
   }
 
-  const TetMesh& mesh_;
   const ColumnSet& set_;
   const std::vector<BaseFace>& faces_;
-  const ColumnPoints& numbers_;
-  const std::vector<Index>& baseNumber_;
   const CornerChoice& choice_;
-  const std::vector<Vector3>& points_;
+  TensorChains& chains_;
   TensorStacks& out_;
-  std::vector<std::optional<Grid>> grids_;
   std::vector<std::array<char, 3>> squaresDone_;
-  std::map<std::pair<Index, Index>, Index> plain_;
-  std::vector<ChainOrder> orderOfChain_;
   std::vector<Index> failed_;
 };
 } // namespace
@@ -396,8 +284,8 @@ TensorStacks makeTensorStacks(const TetMesh& mesh, const ColumnSet& set, const s
     TensorStacks made;
     made.report = none.report;
     made.report.made = choice.count();
-    const std::vector<Index> failed =
-      StackMaker(mesh, set, faces, numbers, baseNumber, choice, points, made).run(maximumSurfaceAngle);
+    TensorChains chains(set, numbers, baseNumber, choice, points, made);
+    const std::vector<Index> failed = StackMaker(set, faces, choice, chains, made).run(maximumSurfaceAngle);
     if (failed.empty())
     {
       return made;
