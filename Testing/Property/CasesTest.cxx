@@ -1,6 +1,7 @@
 // Every case that the layers are judged by, with coarse triangles: the mesh is valid, and the layers are as good as
 // the case wants them or, where that is not reached yet, as good as they were.
 #include "Bodies/Cases.h"
+#include "TestName.h"
 #include "Vtk/BodyPolyData.h"
 #include "Vtk/ChainRun.h"
 
@@ -81,14 +82,6 @@ vtkIdType mostLeft(const Case& c, const chain_run::ChainResult& result)
 class Cases : public testing::TestWithParam<Case>
 {
 };
-
-std::string testName(const testing::TestParamInfo<Case>& info)
-{
-  std::string name = info.param.name;
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-  return name;
-}
 } // namespace
 
 TEST_P(Cases, AreValidAndReachTheirGoals)
@@ -114,7 +107,7 @@ TEST_P(Cases, AreValidAndReachTheirGoals)
   EXPECT_LE(share(result.over179, result.layerTetrahedra), goals.over179);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layers, Cases, testing::ValuesIn(bodies::allCases()), testName);
+INSTANTIATE_TEST_SUITE_P(Layers, Cases, testing::ValuesIn(bodies::allCases()), testName<Case>);
 
 namespace
 {

@@ -1,6 +1,7 @@
 // Bodies whose layers become prisms: the mesh stays conforming, every corner positive, and most of the layers
 // are wedges.
 #include "Bodies/Cases.h"
+#include "TestName.h"
 #include "Vtk/ChainRun.h"
 
 #include <vtkMeshQualityReport.h>
@@ -10,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <ostream>
 
 namespace
@@ -34,14 +34,6 @@ void PrintTo(const Subject& subject, std::ostream* out)
 class Prisms : public testing::TestWithParam<Subject>
 {
 };
-
-std::string testName(const testing::TestParamInfo<Subject>& subject)
-{
-  std::string name = subject.param.name;
-  std::replace_if(
-    name.begin(), name.end(), [](char c) { return c == '-' || c == '.'; }, '_');
-  return name;
-}
 } // namespace
 
 TEST_P(Prisms, AreValidAndMostOfTheLayers)
@@ -60,4 +52,4 @@ TEST_P(Prisms, AreValidAndMostOfTheLayers)
   EXPECT_GT(recombination->GetNumberOfWedges(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Layers, Prisms, testing::ValuesIn(subjects), testName);
+INSTANTIATE_TEST_SUITE_P(Layers, Prisms, testing::ValuesIn(subjects), testName<Subject>);

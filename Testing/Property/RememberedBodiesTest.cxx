@@ -1,4 +1,5 @@
 // Bodies that once failed, as random runs wrote them to files.
+#include "TestName.h"
 #include "Vtk/ChainRun.h"
 
 #include <vtkNew.h>
@@ -7,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -39,13 +39,6 @@ const Remembered all[] = {
 class RememberedBodies : public testing::TestWithParam<Remembered>
 {
 };
-
-std::string testName(const testing::TestParamInfo<Remembered>& info)
-{
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
 } // namespace
 
 TEST_P(RememberedBodies, GiveValidMeshes)
@@ -66,4 +59,4 @@ TEST_P(RememberedBodies, GiveValidMeshes)
   EXPECT_GT(result.inserted, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Property, RememberedBodies, testing::ValuesIn(all), testName);
+INSTANTIATE_TEST_SUITE_P(Property, RememberedBodies, testing::ValuesIn(all), testName<Remembered>);
