@@ -24,8 +24,8 @@ constexpr int MostRestarts = 20;
 // Levels that an earlier attempt found to fold, by vertex.
 using LevelCaps = std::vector<int>;
 
-ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan,
-  const EnrichmentOptions& options, const LevelCaps& caps)
+ColumnSet planColumns(
+  const TetMesh& mesh, const PatchTable& patches, const LayerPlan& plan, const EnrichmentOptions& options)
 {
   const BoundaryStars stars(mesh);
   ColumnSet set = buildColumns(mesh, stars, patches, plan, options.gridsOnWakes);
@@ -33,15 +33,23 @@ ColumnSet planColumns(const TetMesh& mesh, const PatchTable& patches, const Laye
   followSides(mesh, stars, plan, options.gapFraction, set);
   limitByGap(mesh, stars, options.gapFraction, set);
   limitBySlope(mesh, stars, set);
+  if (settleDisagreements(mesh, set))
+  {
+    limitBySlope(mesh, stars, set);
+  }
+  return set;
+}
+
+void limitByCaps(const TetMesh& mesh, const LevelCaps& caps, ColumnSet& set)
+{
   for (Column& c : set.columns)
   {
     c.limit(caps[c.root], StopReason::Refused);
   }
   if (settleDisagreements(mesh, set))
   {
-    limitBySlope(mesh, stars, set);
+    limitBySlope(mesh, BoundaryStars(mesh), set);
   }
-  return set;
 }
 
 std::size_t countPoints(const ColumnSet& set)
@@ -69,10 +77,7 @@ void lowerFolded(
     }
   }
 }
-} // namespace
-
-Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan& plan,
-  const EnrichmentOptions& options, const Context& context, EnrichedMesh& result)
+Outcome check(const EnrichmentOptions& options)
 {
   if (!(options.gapFraction > 0 && options.gapFraction <= 0.5))
   {
@@ -84,38 +89,58 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     return Outcome::badInput("the maximum surface angle is " + textOf(options.maximumSurfaceAngle) +
       "; it must lie between 0 and 90 degrees: set MaximumSurfaceAngle");
   }
+  return Outcome::done();
+}
+} // namespace
+
+Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan& plan,
+  const EnrichmentOptions& options, const Context& context, EnrichedMesh& result)
+{
+  if (Outcome outcome = check(options); !outcome.ok())
+  {
+    return outcome;
+  }
+  context.report(0, "building the mesh's neighbourhoods");
+  TetMesh mesh;
+  if (Outcome outcome = buildTetMesh(input, mesh); !outcome.ok())
+  {
+    return outcome;
+  }
+  context.report(0.1, "planning columns");
+  const ColumnSet planned = planColumns(mesh, patches, plan, options);
   LevelCaps caps(input.points.size(), MaximumNumberOfLayers);
   for (int attempt = 0; attempt < MostRestarts; ++attempt)
   {
-    context.report(0, "building the mesh's neighbourhoods");
-    TetMesh mesh;
-    if (Outcome outcome = buildTetMesh(input, mesh); !outcome.ok())
+    ColumnSet set = planned;
+    if (attempt > 0)
     {
-      return outcome;
+      context.report(0.1, "planning columns");
+      buildTetMesh(input, mesh);
+      limitByCaps(mesh, caps, set);
     }
-    context.report(0.1, "planning columns");
     EnrichedMesh enriched;
-    ColumnSet set = planColumns(mesh, patches, plan, options, caps);
-    enriched.report.fans = openFans(mesh, set);
-    limitByFolds(mesh, set);
-    const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
     enriched.report.restarts = attempt;
-    enriched.report.columns = set.columns.size();
-    enriched.report.pointsRequested = countPoints(set);
-    if (!raiseFront(
-          mesh, set, rules.classification, options.maximumSurfaceAngle, context, enriched.report.raising))
+    enriched.report.fans = openFans(mesh, set);
+    std::vector<Index> folded = limitByFolds(mesh, set);
+    if (folded.empty())
     {
-      return Outcome::cancelled();
-    }
-    context.report(0.7, "improving the mesh beyond the layers");
-    std::vector<Index> folded;
-    if (mendFolds(mesh, set, folded))
-    {
-      enriched.report.improvements = improveBeyondFront(mesh, set, rules, context);
-      context.report(0.9, "writing the layers");
-      writeEnriched(mesh, set, options.maximumSurfaceAngle, enriched);
-      result = std::move(enriched);
-      return Outcome::done();
+      const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };
+      enriched.report.columns = set.columns.size();
+      enriched.report.pointsRequested = countPoints(set);
+      if (!raiseFront(
+            mesh, set, rules.classification, options.maximumSurfaceAngle, context, enriched.report.raising))
+      {
+        return Outcome::cancelled();
+      }
+      context.report(0.7, "improving the mesh beyond the layers");
+      if (mendFolds(mesh, set, folded))
+      {
+        enriched.report.improvements = improveBeyondFront(mesh, set, rules, context);
+        context.report(0.9, "writing the layers");
+        writeEnriched(mesh, set, options.maximumSurfaceAngle, enriched);
+        result = std::move(enriched);
+        return Outcome::done();
+      }
     }
     context.remark(std::to_string(folded.size()) + " stacks of layers fold; their columns are lowered");
     lowerFolded(mesh, set, folded, caps);

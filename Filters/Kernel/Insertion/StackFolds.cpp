@@ -84,17 +84,19 @@ int highestLevel(const ColumnSet& set, const BaseFace& face)
 }
 } // namespace
 
-void limitByFolds(const TetMesh& mesh, ColumnSet& set)
+std::vector<Index> limitByFolds(const TetMesh& mesh, ColumnSet& set)
 {
   const std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+  std::vector<char> isLeft(faces.size(), 0); // folded, with all columns as low as they can be
   // The round in which a column was lowered: only faces at those of the last one are looked at again.
   std::vector<int> loweredIn(set.columns.size(), 0);
   bool lowered = true;
   for (int round = 1; lowered; ++round)
   {
     lowered = false;
-    for (const BaseFace& face : faces)
+    for (std::size_t i = 0; i < faces.size(); ++i)
     {
+      const BaseFace& face = faces[i];
       const bool isConcerned = std::any_of(face.column.begin(), face.column.end(),
         [&](Index c) { return c != None && loweredIn[c] >= round - 1; });
       if (!isConcerned)
@@ -102,7 +104,8 @@ void limitByFolds(const TetMesh& mesh, ColumnSet& set)
         continue;
       }
       const bool slab = slabFolds(mesh, set, face);
-      if (!slab && !isFolded(mesh, set, face, Tops::AsPlanned))
+      isLeft[i] = slab || isFolded(mesh, set, face, Tops::AsPlanned);
+      if (!isLeft[i])
       {
         continue;
       }
@@ -119,6 +122,15 @@ void limitByFolds(const TetMesh& mesh, ColumnSet& set)
       }
     }
   }
+  std::vector<Index> left;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (isLeft[i] && isFolded(mesh, set, faces[i]))
+    {
+      left.push_back(faces[i].face);
+    }
+  }
+  return left;
 }
 
 std::vector<Index> findFoldedStacks(

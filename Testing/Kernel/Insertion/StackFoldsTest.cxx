@@ -129,3 +129,19 @@ TEST(StackFolds, NoStackFoldsAsPlannedWhenTheColumnsAreLimited)
   }
   EXPECT_GT(lowered, 100U);
 }
+
+TEST(StackFolds, WhatFoldsWithColumnsThatCannotBeLoweredIsTold)
+{
+  Plate plate(4);
+  EXPECT_TRUE(limitByFolds(plate.mesh, plate.set).empty());
+  Column& down = plate.set.columns[12];
+  down.direction = -1 * down.direction;
+  down.levels = down.lowest = 1;
+  const auto facesAtIt = static_cast<std::size_t>(std::count_if(plate.faces.begin(), plate.faces.end(),
+    [](const BaseFace& f) { return std::find(f.column.begin(), f.column.end(), 12) != f.column.end(); }));
+  // Its top may still rise from where it is.
+  plate.mesh.movePoint(down.vertex, plate.set.pointAtHeight(down, -0.01));
+  EXPECT_TRUE(limitByFolds(plate.mesh, plate.set).empty());
+  plate.mesh.movePoint(down.vertex, plate.set.pointAt(down, 1));
+  EXPECT_EQ(limitByFolds(plate.mesh, plate.set).size(), facesAtIt);
+}
