@@ -15,6 +15,8 @@ constexpr double TipVisibility = 0.35;
 constexpr double TipTurn = std::numbers::pi / 3;
 // The main column amid the others lies so far inside their cone.
 constexpr double LeastInside = 0.05;
+// Neighbouring columns turn about the edge between their faces by at least so much (the sine).
+constexpr double LeastOpening = 0.05;
 // Directions that are nearly opposite do not say which way to turn from one to the other.
 constexpr double Opposite = -0.985;
 
@@ -51,22 +53,40 @@ public:
     {
       groups_ = aimed(tipGroups());
     }
-    if (leastVisibility(groups_) < LeastVisibility)
+    if (plan(fan, main))
     {
-      groups_ = bestHalves();
-      halved_ = true;
+      return true;
     }
+    const bool oneColumnDoes = norm(fan.single) > 0 &&
+      visibility(normalsOf(std::span(ring_.faces)), normalized(fan.single)) >= TipVisibility;
+    return !oneColumnDoes && planHalves(fan, main);
+  }
+
+private:
+  // A fan of the groups. False, and all as it was, where none opens.
+  bool plan(Fan& fan, Vector3& main) const
+  {
     if (groups_.size() < 2 || leastVisibility(groups_) < LeastVisibility)
     {
       return false;
     }
-    fan.closed = ring_.closed;
-    fan.anchor = { ring_.faces[0].vertex[1], ring_.faces[0].vertex[2] };
-    fan.aroundMain = groups_.size() > 2;
-    return fan.aroundMain ? planAround(fan, main) : planRow(fan, main);
+    Fan planned;
+    planned.column = fan.column;
+    planned.single = fan.single;
+    planned.closed = ring_.closed;
+    planned.anchor = { ring_.faces[0].vertex[1], ring_.faces[0].vertex[2] };
+    planned.aroundMain = groups_.size() > 2;
+    Vector3 own = main;
+    if (!(planned.aroundMain ? planAround(planned, own) : planRow(planned, own)) ||
+      !opensOverEdges(planned, own))
+    {
+      return false;
+    }
+    fan = std::move(planned);
+    main = own;
+    return true;
   }
 
-private:
   std::vector<FaceGroup> sharpGroups()
   {
     return splitRing(ring_,
@@ -97,33 +117,33 @@ private:
       { return std::floor(parts * turned[i] / total) != std::floor(parts * turned[i + 1] / total); });
   }
 
-  // Parts the faces in two where both columns see theirs best: for the end of an edge that is too sharp for
-  // one column, in a wall that has no second edge there. Fans open over borders, so none is concave, and they
-  // run across the way from one column to the other.
-  std::vector<Group> bestHalves()
+  // Parts the faces in two where a fan opens and both columns see theirs best: for the end of an edge that is too sharp
+  // for one column, in a wall that has no second edge there. Fans open over borders, so none is concave, and they run
+  // across the way from one column to the other.
+  bool planHalves(Fan& fan, Vector3& main)
   {
-    std::vector<Group> best;
+    halved_ = true;
     double highest = 0;
+    const Vector3 single = main;
     const FaceRing ring = ring_;
-    FaceRing bestRing = ring_;
     const std::vector<std::size_t> borders = possibleBorders();
     for (std::size_t i = 0; i < borders.size(); ++i)
     {
       for (std::size_t j = ring.closed ? i + 1 : i; j < (ring.closed ? borders.size() : i + 1); ++j)
       {
         ring_ = ring;
-        std::vector<Group> halves =
+        groups_ =
           aimed(splitRing(ring_, [&](std::size_t edge) { return edge == borders[i] || edge == borders[j]; }));
-        if (halves.size() == 2 && scoreOf(halves) > highest)
+        const double score = groups_.size() == 2 ? scoreOf(groups_) : 0;
+        Vector3 own = single;
+        if (score > highest && plan(fan, own))
         {
-          highest = scoreOf(halves);
-          best = std::move(halves);
-          bestRing = ring_;
+          highest = score;
+          main = own;
         }
       }
     }
-    ring_ = bestRing;
-    return best;
+    return highest > 0;
   }
 
   std::vector<std::size_t> possibleBorders() const
@@ -279,6 +299,31 @@ private:
     const bool isInside = visibility(cone, amid) > LeastInside;
     main = isInside ? amid : main;
     return isInside;
+  }
+
+  // Do the columns turn about the edges between the faces that they lift? Where the wall has folds beside an edge, its
+  // faces' columns may lean so that they turn the other way: no tetrahedron between them would be positive, however low
+  // the layers are.
+  bool opensOverEdges(const Fan& fan, const Vector3& main) const
+  {
+    const auto directionOf = [&](const FanStep& step)
+    {
+      return normalized(
+        step.column < static_cast<int>(fan.directions.size()) ? fan.directions[step.column] : main);
+    };
+    const std::size_t pairs = fan.closed ? fan.walk.size() : fan.walk.size() - 1;
+    std::size_t lifted = 0;
+    for (std::size_t i = 0; i < pairs; ++i)
+    {
+      lifted += static_cast<std::size_t>(fan.walk[i].faces);
+      const Vector3 edge = normalized(mesh_.point(ring_.faces[lifted - 1].vertex[2]) - point_);
+      const Vector3 turn = cross(directionOf(fan.walk[i]), directionOf(fan.walk[(i + 1) % fan.walk.size()]));
+      if (dot(turn, edge) > -LeastOpening)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   const Vector3& point_;

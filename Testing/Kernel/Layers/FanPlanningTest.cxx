@@ -110,9 +110,13 @@ struct Planned
   Fan fan;
   Vector3 main;
 
-  explicit Planned(const Wall& wall, double normalAngle = 30, double fanAngle = 30)
+  // single: of one column that sees all faces, if there is one.
+  explicit Planned(
+    const Wall& wall, double normalAngle = 30, double fanAngle = 30, const Vector3& single = {})
   {
     FaceRing ring = wall.ring();
+    fan.single = single;
+    main = single;
     isFan = planFan({ 0, 0, 0 }, wall.mesh, ring, SideProjection({}),
       { normalAngle / DegreesOfRadian, fanAngle / DegreesOfRadian }, fan, main);
   }
@@ -147,9 +151,10 @@ TEST(FaceRing, PutsShuffledFacesInOrder)
 
 TEST(FanPlanning, SmoothPointsHaveNone)
 {
-  EXPECT_FALSE(Planned(ridge(10)).isFan);
-  EXPECT_FALSE(Planned(cone(20)).isFan);
-  EXPECT_FALSE(Planned(ridge(-30)).isFan); // concave
+  const Vector3 up{ 0, 0, 1 };
+  EXPECT_FALSE(Planned(ridge(10), 30, 30, up).isFan);
+  EXPECT_FALSE(Planned(cone(20), 30, 30, up).isFan);
+  EXPECT_FALSE(Planned(ridge(-30), 30, 30, up).isFan); // concave
 }
 
 TEST(FanPlanning, ARidgeHasARowOfColumns)
@@ -185,7 +190,7 @@ TEST(FanPlanning, TheNumberOfColumnsFollowsTheFanAngle)
   EXPECT_EQ(Planned(ridge(45), 30, 45).fan.directions.size(), 2u);
   EXPECT_EQ(Planned(ridge(45), 30, 15).fan.directions.size(), 6u);
   EXPECT_EQ(Planned(ridge(45), 30, 180).fan.directions.size(), 1u);
-  EXPECT_FALSE(Planned(ridge(45), 91, 30).isFan);
+  EXPECT_FALSE(Planned(ridge(45), 91, 30, { 0, 0, 1 }).isFan);
 }
 
 TEST(FanPlanning, ACornerHasAColumnAmidTheOthers)
@@ -209,6 +214,41 @@ TEST(FanPlanning, ATipWithoutSharpEdgesIsParted)
   EXPECT_TRUE(planned.fan.aroundMain);
   EXPECT_GE(planned.fan.directions.size(), 12u);
   EXPECT_GT(planned.main.z, 0.9);
+}
+
+TEST(FanPlanning, ColumnsThatWouldCrossOverTheirEdgeMakeNone)
+{
+  // Beside a sharp edge the wall folds up: both groups' columns lean over the edge, past each other.
+  const Vector3 single = normalized(Vector3{ 0.04, 0.97, 0.25 });
+  const Wall wall({ { -0.58, 0.82, 1.33 }, { 0.46, 0, 0.63 }, { 0.34, -0.22, -0.55 }, { -0.49, 0, -0.61 },
+                    { -1.08, 0.79, 0.61 }, { -0.49, -0.09, 0.37 } },
+    single);
+  const Planned planned(wall, 30, 30, single);
+  EXPECT_FALSE(planned.isFan);
+  EXPECT_EQ(planned.main, single);
+  EXPECT_TRUE(planned.fan.walk.empty());
+}
+
+TEST(FanPlanning, AFanAtTheFootOfATrailingEdgeOpensOverItsEdges)
+{
+  // A fin on a hull; one column would hardly see the fin's sides.
+  const std::vector<Vector3> rim{ { -1.94, 0.78, -0.30 }, { -1.07, 1.55, -0.19 }, { 0, 1.05, 0 },
+    { -1.07, 1.56, 0.19 }, { -1.94, 0.78, 0.30 }, { -0.78, 0.13, 0.98 }, { -0.12, -0.35, 1.25 },
+    { 0.63, -0.65, 1.07 }, { 1.17, -0.55, 0.01 }, { 0.70, -0.44, -0.63 }, { 0.09, -0.27, -0.93 },
+    { -0.65, 0.08, -0.97 } };
+  const Vector3 single = normalized(Vector3{ 0.99, -0.15, 0 });
+  const Planned planned(Wall(rim, single), 30, 30, single);
+  ASSERT_TRUE(planned.isFan);
+  std::vector<Vector3> columns = planned.fan.directions;
+  columns.push_back(planned.main);
+  const std::vector<FanStep>& walk = planned.fan.walk;
+  auto at = static_cast<std::size_t>(planned.fan.anchor[0]) - 2;
+  for (std::size_t i = 0; i < walk.size(); ++i)
+  {
+    at = (at + static_cast<std::size_t>(walk[i].faces)) % rim.size();
+    const Vector3 turn = cross(columns[walk[i].column], columns[walk[(i + 1) % walk.size()].column]);
+    EXPECT_LT(dot(turn, rim[at]), 0) << "at step " << i;
+  }
 }
 
 TEST(FanPlanning, AnEdgeThatEndsInAWallPartsItsFaces)
