@@ -39,8 +39,29 @@ double riseOf(const std::vector<FaceAtVertex>& group, const TetMesh& mesh, const
   return isNarrow ? norm(steepest) : dot(normalized(middle), wallNormal);
 }
 
-std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> others, const Vector3& wallNormal)
+bool shareAnEdge(const FaceAtVertex& a, const FaceAtVertex& b)
 {
+  return a.vertex[1] == b.vertex[2] || a.vertex[2] == b.vertex[1];
+}
+
+// The least rise to the group from one of the wall's faces beside it; 1 where there is none.
+double leastRiseBeside(const std::vector<FaceAtVertex>& group, const std::vector<FaceAtVertex>& walls)
+{
+  double least = 1;
+  for (const FaceAtVertex& face : group)
+  {
+    for (const FaceAtVertex& wall : walls)
+    {
+      least = shareAnEdge(face, wall) ? std::min(least, norm(cross(face.normal, wall.normal))) : least;
+    }
+  }
+  return least;
+}
+
+std::vector<Side> findGroups(
+  const TetMesh& mesh, std::vector<FaceAtVertex> others, const std::vector<FaceAtVertex>& walls)
+{
+  const Vector3 wallNormal = weightedNormal(walls);
   std::stable_sort(others.begin(), others.end(),
     [](const FaceAtVertex& a, const FaceAtVertex& b) { return a.patch < b.patch; });
   std::vector<Side> sides;
@@ -50,7 +71,8 @@ std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> othe
       std::find_if(begin, others.end(), [&begin](const FaceAtVertex& f) { return f.patch != begin->patch; });
     for (const auto& group : smoothGroups({ begin, end }))
     {
-      sides.push_back({ begin->patch, weightedNormal(group), riseOf(group, mesh, wallNormal) });
+      const double rise = std::min(riseOf(group, mesh, wallNormal), leastRiseBeside(group, walls));
+      sides.push_back({ begin->patch, weightedNormal(group), rise });
     }
     begin = end;
   }
@@ -58,11 +80,11 @@ std::vector<Side> findGroups(const TetMesh& mesh, std::vector<FaceAtVertex> othe
 }
 } // namespace
 
-bool findSides(const TetMesh& mesh, const std::vector<FaceAtVertex>& others, const Vector3& wallNormal,
-  std::vector<Side>& sides)
+bool findSides(const TetMesh& mesh, const std::vector<FaceAtVertex>& others,
+  const std::vector<FaceAtVertex>& walls, std::vector<Side>& sides)
 {
   std::vector<Side> flat;
-  for (const Side& group : findGroups(mesh, others, wallNormal))
+  for (const Side& group : findGroups(mesh, others, walls))
   {
     (group.rise > SideRise ? sides : flat).push_back(group);
   }

@@ -130,7 +130,7 @@ private:
     }
     const Vector3 wallNormal = weightedNormal(s.walls);
     std::vector<Side> sides;
-    if (!findSides(mesh_, s.others, wallNormal, sides) || sides.size() > 2)
+    if (!findSides(mesh_, s.others, s.walls, sides) || sides.size() > 2)
     {
       return StopReason::Corner;
     }

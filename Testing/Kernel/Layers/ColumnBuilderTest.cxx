@@ -216,6 +216,21 @@ TEST(ColumnBuilder, InANarrowCornerOfASideTheColumnStaysInIt)
   }
 }
 
+TEST(ColumnBuilder, ASideRisesFromEachWallBesideIt)
+{
+  // The side x = 0 rises from the wall z = 0; from the wall y = 0, which ends there, by 45 and by 16 degrees.
+  for (const double slope : { 1.0, 3.5 })
+  {
+    const auto skew = [slope](const Vector3& p) { return Vector3{ p.x - slope * p.y, p.y, p.z }; };
+    const Columns columns(make({ 4, 4, 4, skew }), patches(PatchType::Symmetry), { YLow, ZLow });
+    const Column* corner = columns.at({ 0, 0, 0 });
+    ASSERT_TRUE(corner);
+    EXPECT_EQ(corner->staysIn(XLow), slope == 1);
+    EXPECT_EQ(columns.at({ 0, 0, 0.25 })->staysIn(XLow), slope == 1);
+    EXPECT_TRUE(columns.at({ -slope * 0.25, 0.25, 0 })->staysIn(XLow));
+  }
+}
+
 TEST(ColumnBuilder, AGridAtAWakeIsMadeOnlyWhereItIsAllowed)
 {
   TetMesh mesh;
