@@ -77,6 +77,7 @@ void lowerFolded(
     }
   }
 }
+
 Outcome check(const EnrichmentOptions& options)
 {
   if (!(options.gapFraction > 0 && options.gapFraction <= 0.5))

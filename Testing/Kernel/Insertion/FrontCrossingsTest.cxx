@@ -53,6 +53,7 @@ TEST_F(FrontCrossingsInACube, ATopCrossesTheOppositeFrontWhereThatStands)
 {
   const Index column = columnAt({ 0.5, 0.5, 0 });
   EXPECT_FALSE(wouldCross(column, { 0.53, 0.48, 0.9 }));
+  EXPECT_FALSE(wouldCross(column, { 0.53, 0.48, 1 })); // it touches
   EXPECT_TRUE(wouldCross(column, { 0.53, 0.48, 1.1 }));
   for (std::size_t i = 0; i < set_.columns.size(); ++i)
   {
