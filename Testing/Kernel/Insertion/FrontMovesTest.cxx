@@ -1,6 +1,7 @@
 // Single moves of the front's tops over a plate.
 #include "Insertion/FrontMoves.h"
 
+#include "Geometry/TetrahedronMeasures.h"
 #include "Support/GridMesh.h"
 #include "Support/RisingFront.h"
 
@@ -73,4 +74,26 @@ TEST_F(FrontMovesOverAPlate, ThroughTheCeilingThereIsNoRoom)
 {
   EXPECT_EQ(move({ 0, 0, 1.2 }), MoveVerdict::NoRoom);
   EXPECT_EQ(top(), (Vector3{ 0.5, 0.5, 0 }));
+}
+
+TEST_F(FrontMovesOverAPlate, NoMoveMakesTetrahedraPoorerThanItMay)
+{
+  // The next point above is at 0.25, and nothing beside the top may change.
+  const auto qualityAt = [this](Index t)
+  {
+    const auto& v = plate_.mesh.tet(t).vertex;
+    return quality(
+      plate_.mesh.point(v[0]), plate_.mesh.point(v[1]), plate_.mesh.point(v[2]), plate_.mesh.point(v[3]));
+  };
+  int refused = 0;
+  for (const double gap : { 1e-2, 1e-4, 1e-8, 1e-12, 1e-15 })
+  {
+    refused += isDone(move({ 0, 0, 0.25 - gap }, { LeastQualityOfMoves, 0 })) ? 0 : 1;
+    for (std::size_t t = 0; t < plate_.mesh.tetSlots(); ++t)
+    {
+      const auto tet = static_cast<Index>(t);
+      EXPECT_TRUE(!plate_.mesh.tet(tet).isAlive() || qualityAt(tet) > LeastQualityOfMoves) << gap;
+    }
+  }
+  EXPECT_GT(refused, 0);
 }

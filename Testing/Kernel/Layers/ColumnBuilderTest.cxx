@@ -216,6 +216,19 @@ TEST(ColumnBuilder, InANarrowCornerOfASideTheColumnStaysInIt)
   }
 }
 
+TEST(ColumnBuilder, NoColumnStandsWhereItsSideGoesOnAsTheFloor)
+{
+  const auto split = [](Side side, const Vector3& middle)
+  { return side == ZLow && middle.y > 0.5 ? static_cast<int>(XLow) : static_cast<int>(side); };
+  const Columns columns(make({ 4, 4, 4 }, split), patches(PatchType::Symmetry), { ZLow });
+  const Column* atEnd = columns.at({ 0, 0.5, 0 });
+  ASSERT_TRUE(atEnd);
+  EXPECT_EQ(atEnd->levels, 0);
+  EXPECT_EQ(atEnd->reason, StopReason::Corner);
+  EXPECT_EQ(columns.at({ 0, 0.25, 0 })->levels, 5);
+  EXPECT_EQ(columns.at({ 0.5, 0.5, 0 })->levels, 5);
+}
+
 TEST(ColumnBuilder, ASideRisesFromEachWallBesideIt)
 {
   // The side x = 0 rises from the wall z = 0; from the wall y = 0, which ends there, by 45 and by 16 degrees.
