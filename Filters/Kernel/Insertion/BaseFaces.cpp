@@ -22,9 +22,9 @@ bool risesLater(const ColumnSet& set, Index column)
   return column == None || set.columns[column].bend == None;
 }
 
-int unevennessOf(const ColumnSet& set, Index column)
+int firstRankOf(const ColumnSet& set, Index column)
 {
-  return column == None ? 0 : set.columns[column].unevenness;
+  return column == None ? 0 : set.columns[column].firstRank;
 }
 
 namespace
@@ -70,17 +70,22 @@ void sortRise(const ColumnSet& set, BaseFace& face)
 {
   face.rise = cornersInOrder(
     [&](int j) { return std::tuple(risesLater(set, face.column[j]), face.root[j], face.column[j]); });
-  const bool isEven = std::all_of(
-    face.column.begin(), face.column.end(), [&set](Index c) { return unevennessOf(set, c) == 0; });
-  face.firstRise = isEven ? face.rise
-                          : cornersInOrder(
-                              [&](int j)
-                              {
-                                const Index c = face.column[j];
-                                return std::tuple(risesLater(set, c), unevennessOf(set, c), face.root[j], c);
-                              });
 }
 } // namespace
+
+void sortFirstRise(const ColumnSet& set, BaseFace& face)
+{
+  const bool isUnranked =
+    std::all_of(face.column.begin(), face.column.end(), [&set](Index c) { return firstRankOf(set, c) == 0; });
+  face.firstRise = isUnranked
+    ? face.rise
+    : cornersInOrder(
+        [&](int j)
+        {
+          const Index c = face.column[j];
+          return std::tuple(risesLater(set, c), firstRankOf(set, c), face.root[j], c);
+        });
+}
 
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set)
 {
@@ -109,6 +114,7 @@ std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set
     if (carries)
     {
       sortRise(set, face);
+      sortFirstRise(set, face);
       faces.push_back(face);
     }
   }

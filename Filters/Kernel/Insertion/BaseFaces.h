@@ -51,15 +51,18 @@ std::array<Vector3, 3> basePoints(const TetMesh& mesh, const ColumnSet& set, con
 bool risesLater(const ColumnSet& set, Index column);
 
 // Of the column; 0 for a bare vertex.
-int unevennessOf(const ColumnSet& set, Index column);
+int firstRankOf(const ColumnSet& set, Index column);
 
 // All faces that carry layers, those with a standing column for which their patch is not a side, by number.
 // Within a level columns rise in order of their roots' numbers, then of their own, in every face alike: that makes
 // neighbouring stacks match. Those of corners between walls of different heights rise first: they lean over the lower
-// wall, and would pass below its higher columns if these were there before them. In the first level the most even ones come
-// first: the tetrahedron on the wall's triangle is as high as that which rises first. That those of one root rise one after
+// wall, and would pass below its higher columns if these were there before them. In the first level their ranks
+// come first (FirstRise.h). That those of one root rise one after
 // the other keeps the bottoms of fans from having flat tetrahedra.
 std::vector<BaseFace> collectBaseFaces(const TetMesh& mesh, const ColumnSet& set);
+
+// Puts the corners in order for the first level, after the columns' ranks.
+void sortFirstRise(const ColumnSet& set, BaseFace& face);
 
 // faces: all of them, as collectBaseFaces gives them. Gives every edge of a base face that has no base face beyond it
 // the side patch that lies there.

@@ -2,6 +2,7 @@
 
 #include "Insertion/EnrichedOutput.h"
 #include "Insertion/FanOpening.h"
+#include "Insertion/FirstRise.h"
 #include "Insertion/FrontImprovement.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
@@ -122,7 +123,9 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     EnrichedMesh enriched;
     enriched.report.restarts = attempt;
     enriched.report.fans = openFans(mesh, set);
-    std::vector<Index> folded = limitByFolds(mesh, set);
+    std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
+    orderFirstRise(mesh, faces, set);
+    std::vector<Index> folded = limitByFolds(mesh, faces, set);
     if (folded.empty())
     {
       const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };

@@ -84,9 +84,8 @@ int highestLevel(const ColumnSet& set, const BaseFace& face)
 }
 } // namespace
 
-std::vector<Index> limitByFolds(const TetMesh& mesh, ColumnSet& set)
+std::vector<Index> limitByFolds(const TetMesh& mesh, const std::vector<BaseFace>& faces, ColumnSet& set)
 {
-  const std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
   std::vector<char> isLeft(faces.size(), 0); // folded, with all columns as low as they can be
   // The round in which a column was lowered: only faces at those of the last one are looked at again.
   std::vector<int> loweredIn(set.columns.size(), 0);

@@ -12,8 +12,8 @@ namespace ransmesh
 // Before the front rises: halves the columns of faces whose slab, taken as one layer of full height, has a
 // tetrahedron that is not positive, and the highest columns of those whose stack has one, until none has. Gives the
 // boundary's faces that still fold with their columns as low as they can be, and with the tops where they are now: to
-// raise the front with these would be in vain.
-std::vector<Index> limitByFolds(const TetMesh& mesh, ColumnSet& set);
+// raise the front with these would be in vain. faces: all of them, as collectBaseFaces gives them.
+std::vector<Index> limitByFolds(const TetMesh& mesh, const std::vector<BaseFace>& faces, ColumnSet& set);
 
 // After it: do all stacks of these faces have only positive tetrahedra, with the tops where the mesh's
 // vertices are? Gives the numbers of those that have not.

@@ -64,7 +64,7 @@ Index TensorChains::plain(const BaseFace& face, int j)
       chain.push_back(numbers_.at(face.column[j], level));
     }
     found->second = add(std::move(chain),
-      { false, risesLater(set_, face.column[j]), unevennessOf(set_, face.column[j]), face.root[j] });
+      { false, risesLater(set_, face.column[j]), firstRankOf(set_, face.column[j]), face.root[j] });
   }
   return found->second;
 }

@@ -19,7 +19,7 @@ struct ChainOrder
 {
   bool isOfGrid = true;
   bool risesLater = true;
-  int unevenness = 0; // counts in the first level
+  int firstRank = 0; // counts in the first level
   Index root = None;
 };
 

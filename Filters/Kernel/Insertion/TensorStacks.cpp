@@ -97,7 +97,7 @@ private:
     {
       const ChainOrder& order = chains_.order(chains[j]);
       return std::tuple(
-        order.isOfGrid, order.risesLater, isFirst ? order.unevenness : 0, order.root, chains[j]);
+        order.isOfGrid, order.risesLater, isFirst ? order.firstRank : 0, order.root, chains[j]);
     };
     std::sort(t.stack.rise.begin(), t.stack.rise.end(),
       [&key](int j, int k) { return key(j, false) < key(k, false); });

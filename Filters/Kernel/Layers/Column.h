@@ -43,12 +43,12 @@ struct Column
   Index bend = None;                // has places of its own, between walls of different heights
   Index squeezed = None;            // its own heights, where room is short; None: its patch's
   double size = 0;                  // mean length of the wall's edges here
-  int unevenness = 0;   // tenths of the first height that it may rise too high or too low above a wall face
-  int asked = 0;        // layers asked for
-  int levels = 0;       // layers that it is to have, or has
-  bool hasGrid = false; // it stands in a tensor corner
-  int lowest = 0;       // it can not have fewer; 1 where another column of its root may have none
-  double lifted = 0;    // height at which its top stands before the front rises
+  int firstRank = 0;                // when it rises in the first level
+  int asked = 0;                    // layers asked for
+  int levels = 0;                   // layers that it is to have, or has
+  bool hasGrid = false;             // it stands in a tensor corner
+  int lowest = 0;                   // it can not have fewer; 1 where another column of its root may have none
+  double lifted = 0;                // height at which its top stands before the front rises
   StopReason reason = StopReason::Complete;
 
   bool staysIn(int p) const { return p != 0 && (sides[0] == p || sides[1] == p); }

@@ -144,7 +144,6 @@ private:
     const Vector3 seeing = mostVisible(normals, lay, lay(wallNormal));
     const bool wallsOnly = carrying.size() == s.walls.size();
     column.direction = wallsOnly ? evenStep(s.walls, lay, seeing) : scaledStep(s.walls, seeing);
-    column.unevenness = unevennessOver(s, column.direction);
     const double least = visibility(normals, normalized(column.direction));
     if (isSmooth(least, s.patch))
     {
@@ -155,22 +154,9 @@ private:
     if (wallsOnly && makeRing(s.walls, ring) &&
       (aimFan(s, ring, lay, seesAll, column) || aimTensor(s, ring, sides, column)))
     {
-      column.unevenness = 0; // other columns rise over its faces
       return StopReason::Complete;
     }
     return seesAll ? StopReason::Complete : whyUnseen(carrying, column.base);
-  }
-
-  // By how many tenths of the first height that a face is to have the step may rise too high or too low above it.
-  int unevennessOver(const Surroundings& s, const Vector3& step) const
-  {
-    double largest = 0;
-    for (const FaceAtVertex& f : s.walls)
-    {
-      const double rise = dot(f.normal, step) * plan_[s.patch].firstHeight / plan_[f.patch].firstHeight;
-      largest = std::max(largest, std::fabs(1 - rise));
-    }
-    return static_cast<int>(10 * std::min(1.0, largest));
   }
 
   // No direction sees all faces that the column would stand on. In a wedge these are each other's opposite surface, and

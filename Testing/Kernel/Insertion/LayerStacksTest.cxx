@@ -86,11 +86,11 @@ TEST(LayerStacks, CornersRiseLevelByLevelInOneOrder)
   EXPECT_EQ(risesOf(stackOf(plate.set, face)), wanted);
 }
 
-TEST(LayerStacks, InTheFirstLevelTheMostEvenColumnsRiseFirst)
+TEST(LayerStacks, InTheFirstLevelColumnsRiseByTheirRank)
 {
   Plate plate;
-  plate.set.columns[1].unevenness = 3;
-  plate.set.columns[2].unevenness = 1;
+  plate.set.columns[1].firstRank = 3;
+  plate.set.columns[2].firstRank = 1;
   bool found = false;
   for (const BaseFace& face : collectBaseFaces(plate.mesh, plate.set))
   {
@@ -99,10 +99,10 @@ TEST(LayerStacks, InTheFirstLevelTheMostEvenColumnsRiseFirst)
     };
     const auto columns = inOrder(face.rise);
     EXPECT_TRUE(std::is_sorted(columns.begin(), columns.end()));
-    const auto unevenness = [&plate](Index c) { return plate.set.columns[c].unevenness; };
+    const auto firstRank = [&plate](Index c) { return plate.set.columns[c].firstRank; };
     const auto first = inOrder(face.firstRise);
     EXPECT_TRUE(std::is_sorted(first.begin(), first.end(),
-      [&](Index a, Index b) { return std::pair(unevenness(a), a) < std::pair(unevenness(b), b); }));
+      [&](Index a, Index b) { return std::pair(firstRank(a), a) < std::pair(firstRank(b), b); }));
     if (columns != first)
     {
       found = true;
@@ -193,7 +193,7 @@ TEST(StackFolds, PlannedColumnsThatCrossAreLowered)
   Plate plate;
   Column& c = plate.set.columns[5];
   c.direction = { 40, 0, 1 };
-  limitByFolds(plate.mesh, plate.set);
+  limitByFolds(plate.mesh, collectBaseFaces(plate.mesh, plate.set), plate.set);
   EXPECT_LT(c.levels, 3);
   EXPECT_EQ(c.reason, StopReason::Corner);
   plate.raise();

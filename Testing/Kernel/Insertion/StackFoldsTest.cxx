@@ -119,7 +119,7 @@ TEST(StackFolds, NoStackFoldsAsPlannedWhenTheColumnsAreLimited)
   {
     Plate plate(4);
     plate.disturb(0.1 * (round % 15), 1, random);
-    limitByFolds(plate.mesh, plate.set);
+    limitByFolds(plate.mesh, collectBaseFaces(plate.mesh, plate.set), plate.set);
     for (const BaseFace& face : collectBaseFaces(plate.mesh, plate.set))
     {
       EXPECT_TRUE(plate.stands(face, true)) << round;
@@ -133,7 +133,7 @@ TEST(StackFolds, NoStackFoldsAsPlannedWhenTheColumnsAreLimited)
 TEST(StackFolds, WhatFoldsWithColumnsThatCannotBeLoweredIsTold)
 {
   Plate plate(4);
-  EXPECT_TRUE(limitByFolds(plate.mesh, plate.set).empty());
+  EXPECT_TRUE(limitByFolds(plate.mesh, collectBaseFaces(plate.mesh, plate.set), plate.set).empty());
   Column& down = plate.set.columns[12];
   down.direction = -1 * down.direction;
   down.levels = down.lowest = 1;
@@ -141,7 +141,7 @@ TEST(StackFolds, WhatFoldsWithColumnsThatCannotBeLoweredIsTold)
     [](const BaseFace& f) { return std::find(f.column.begin(), f.column.end(), 12) != f.column.end(); }));
   // Its top may still rise from where it is.
   plate.mesh.movePoint(down.vertex, plate.set.pointAtHeight(down, -0.01));
-  EXPECT_TRUE(limitByFolds(plate.mesh, plate.set).empty());
+  EXPECT_TRUE(limitByFolds(plate.mesh, collectBaseFaces(plate.mesh, plate.set), plate.set).empty());
   plate.mesh.movePoint(down.vertex, plate.set.pointAt(down, 1));
-  EXPECT_EQ(limitByFolds(plate.mesh, plate.set).size(), facesAtIt);
+  EXPECT_EQ(limitByFolds(plate.mesh, collectBaseFaces(plate.mesh, plate.set), plate.set).size(), facesAtIt);
 }
