@@ -5,14 +5,16 @@
 #include "Layers/LayerPlanning.h"
 #include "Removal/CornerRegion.h"
 #include "Removal/PoorMending.h"
+#include "Removal/RefillRemover.h"
 #include "Removal/ValenceReduction.h"
 #include "Removal/VertexRemover.h"
+#include "Removal/WallTurning.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace ransmesh
 {
@@ -57,6 +59,8 @@ public:
     , remover_(mesh, rules, region, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_, ridges_)
     , mending_(mesh, rules)
     , valence_(mesh, rules, cosineOfDegrees(options.maximumSurfaceAngle), surfaces_)
+    , turning_(mesh, rules, valence_, mending_)
+    , refiller_(mesh)
   {
   }
 
@@ -76,25 +80,30 @@ public:
         break;
       }
     }
-    if (result.outcome.ok())
-    {
-      improveWalls(result);
-      separateRidges(result);
-      mending_.begin();
-      result.swaps += mending_.mendAll(PoorQualityAtLast);
-    }
     std::copy_if(givenUp_.begin(), givenUp_.end(), std::back_inserter(left),
       [this](Index v) { return region_.isMarked[v] != 0; }); // others may have taken them along
+    if (result.outcome.ok())
+    {
+      result.swaps += turning_.turnAll();
+      mending_.begin();
+      result.swaps += mending_.mendAll(PoorQualityAtLast);
+      tryAgain(left, result);
+    }
+    countAll(left, result);
+  }
+
+private:
+  void countAll(const std::vector<Index>& left, RemovalResult& result)
+  {
     result.remaining = left;
     result.removed = result.marked - left.size();
     result.remainingOnWalls = static_cast<std::size_t>(
       std::count_if(left.begin(), left.end(), [this](Index v) { return region_.wallNormal.count(v) > 0; }));
-    result.neededByShape = static_cast<std::size_t>(std::count_if(
-      left.begin(), left.end(), [this](Index v) { return remover_.isNeededByShape(v, WallAngleAtLast); }));
+    result.neededByShape = static_cast<std::size_t>(
+      std::count_if(left.begin(), left.end(), [this](Index v) { return isNeededByShape(v); }));
     countOf(result.verdicts, RemovalVerdict::Absorbed) = remover_.absorbed();
   }
 
-private:
   // Ridge points first, then those on surfaces: theirs is the least freedom.
   std::vector<Index> orderByKind(const std::vector<Index>& marked) const
   {
@@ -141,6 +150,54 @@ private:
   {
     const auto found = refusedBySurface_.find(v);
     return found != refusedBySurface_.end() && found->second >= PatienceWithSurfaces;
+  }
+
+  bool isNeededByShape(Index v)
+  {
+    return remover_.isNeededByShape(v, WallAngleAtLast) ||
+      std::find(neededInside_.begin(), neededInside_.end(), v) != neededInside_.end();
+  }
+
+  // Much has changed since the points left were refused: tries them again, as long as some of them go.
+  void tryAgain(std::vector<Index>& left, RemovalResult& result)
+  {
+    for (std::size_t before = left.size() + 1; left.size() < before;)
+    {
+      before = left.size();
+      mending_.begin();
+      for (const Index v : left)
+      {
+        if (region_.isMarked[v] && !remover_.isNeededByShape(v, WallAngleAtLast))
+        {
+          ++countOf(result.verdicts, attemptAtLast(v));
+        }
+      }
+      std::erase_if(left, [this](Index v) { return !region_.isMarked[v]; });
+      result.swaps += left.size() < before ? mending_.mendAll(PoorQualityAtLast) : 0;
+    }
+  }
+
+  RemovalVerdict attemptAtLast(Index v)
+  {
+    const RemovalLimits limits = limitsAt(v, PassCount - 1);
+    const RemovalVerdict verdict = attempt(v, limits);
+    if (!region_.isMarked[v] || rules_.classification.kind[v] != VertexKind::Volume ||
+      !refillTried_.insert(v).second)
+    {
+      return verdict;
+    }
+    const RefillRemover::Verdict refilled = refiller_.remove(v, remover_.floorAt(v, limits));
+    if (refilled == RefillRemover::Verdict::Removed)
+    {
+      region_.isMarked[v] = 0;
+      mending_.note(refiller_.made(), PoorQualityAtLast);
+      return RemovalVerdict::RemovedWithCavity;
+    }
+    if (refilled == RefillRemover::Verdict::Needed)
+    {
+      neededInside_.push_back(v);
+    }
+    return verdict;
   }
 
   // A pass leaves about half of its points to the next: stillToDo counts with that.
@@ -190,23 +247,9 @@ private:
     }
     if (!region_.isMarked[v] && onWall)
     {
-      noteWallFaces(remover_.made());
+      turning_.note(remover_.made());
     }
     return verdict;
-  }
-
-  void noteWallFaces(const std::vector<Index>& made)
-  {
-    for (const Index t : made)
-    {
-      for (const HalfFace beyond : mesh_.tet(t).neighbour)
-      {
-        if (isBoundary(beyond) && !rules_.changeable[mesh_.patchOf(beyond)])
-        {
-          wallFaces_.push_back(boundaryFaceOf(beyond));
-        }
-      }
-    }
   }
 
   // Moves v to where it would best be collapsed to, as far as it comes.
@@ -231,61 +274,6 @@ private:
     }
   }
 
-  // Turns edges of the walls where that makes the largest angle of the triangles smaller.
-  void improveWalls(RemovalResult& result)
-  {
-    constexpr int rounds = 3;
-    const RemovalLimits limits{ 0.05, 0, 0, 0.5, 0 };
-    std::sort(wallFaces_.begin(), wallFaces_.end());
-    wallFaces_.erase(std::unique(wallFaces_.begin(), wallFaces_.end()), wallFaces_.end());
-    for (int round = 0; round < rounds; ++round)
-    {
-      for (const Index face : wallFaces_)
-      {
-        if (mesh_.boundaryFace(face).isAlive() && turnLongestEdge(face, limits))
-        {
-          ++result.swaps;
-          mending_.note(valence_.made(), PoorQualityAtLast);
-        }
-      }
-    }
-  }
-
-  // Turns edges of the walls that join two ridges: the grids of both ridges need points between them.
-  void separateRidges(RemovalResult& result)
-  {
-    const RemovalLimits limits{ 0.03, 0, 0, 0.5, 140 };
-    const auto onRidge = [this](Index v) { return rules_.classification.kind[v] >= VertexKind::Ridge; };
-    for (const Index face : wallFaces_)
-    {
-      for (int j = 0; j < 3 && mesh_.boundaryFace(face).isAlive(); ++j)
-      {
-        const auto v = mesh_.boundaryVertices(face);
-        const Index from = v[j];
-        const Index to = v[(j + 1) % 3];
-        if (onRidge(from) && onRidge(to) && !rules_.classification.ridges.has(from, to) &&
-          valence_.swapOnWall(from, to, limits, {}))
-        {
-          ++result.swaps;
-          mending_.note(valence_.made(), PoorQualityAtLast);
-          break;
-        }
-      }
-    }
-  }
-
-  bool turnLongestEdge(Index face, const RemovalLimits& limits)
-  {
-    constexpr double large = 110; // degrees
-    const auto v = mesh_.boundaryVertices(face);
-    const Vector3& a = mesh_.point(v[0]);
-    const Vector3& b = mesh_.point(v[1]);
-    const Vector3& c = mesh_.point(v[2]);
-    const std::array<double, 3> opposite = { distance(b, c), distance(c, a), distance(a, b) };
-    const auto j = std::max_element(opposite.begin(), opposite.end()) - opposite.begin();
-    return largestAngle(a, b, c) > large && valence_.swapOnWall(v[(j + 1) % 3], v[(j + 2) % 3], limits, {});
-  }
-
   TetMesh& mesh_;
   BoundaryRules& rules_;
   LayerRegion& region_;
@@ -295,9 +283,12 @@ private:
   VertexRemover remover_;
   PoorMending mending_;
   ValenceReduction valence_;
-  std::vector<Index> wallFaces_;                    // made by removal of points of walls
+  WallTurning turning_;
+  RefillRemover refiller_;
   std::unordered_map<Index, int> refusedBySurface_; // how often, of the points left
   std::vector<Index> givenUp_;
+  std::unordered_set<Index> refillTried_;
+  std::vector<Index> neededInside_; // points of the volume that nothing can be filled without
   double progress_ = 0;
 };
 

@@ -34,8 +34,9 @@ struct RemovalResult
   std::vector<Index> remaining;     // marked points that are still there, by their number in the mesh
   std::size_t markedOnWalls = 0;    // of all marked: points of walls, in the layers of another wall
   std::size_t remainingOnWalls = 0; // of these
-  // Of remaining: points that the boundary's shape needs (MaximumSurfaceAngle and Removal/SurfaceMemory.h), as they
-  // are in the end: most lie on curved walls beside concave ridges.
+  // Of remaining: points that the boundary's shape needs, as they are in the end. On it (MaximumSurfaceAngle and
+  // Removal/SurfaceMemory.h), most lie on curved walls beside concave ridges; in the volume, the space between walls
+  // cannot be filled without them (Removal/RefillRemover.h; E. Schoenhardt, Math. Ann. 98, 1928).
   std::size_t neededByShape = 0;
   RemovalTally verdicts{}; // of all attempts, many of which concern the same point
   std::size_t movements = 0;

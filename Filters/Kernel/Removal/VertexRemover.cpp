@@ -79,6 +79,12 @@ bool VertexRemover::isNeededByShape(Index v, double wallAngle)
     [&](int end) { return judgeSurface(v, link_.ends()[end], wallAngle) == RemovalVerdict::Collapsed; });
 }
 
+double VertexRemover::floorAt(Index v, const RemovalLimits& limits)
+{
+  link_.turnTo(v);
+  return floorFor(limits);
+}
+
 Index VertexRemover::nearestApex(Index v, const RemovalLimits& limits)
 {
   look(v);

@@ -32,6 +32,9 @@ public:
   // neighbour v went.
   bool isNeededByShape(Index v, double wallAngle);
 
+  // No tetrahedron that comes when v goes may be worse.
+  double floorAt(Index v, const RemovalLimits& limits);
+
   // The neighbour to which v could go if the fewest tetrahedra gave way.
   Index nearestApex(Index v, const RemovalLimits& limits);
 

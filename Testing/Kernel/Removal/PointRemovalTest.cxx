@@ -5,6 +5,7 @@
 #include "Improvement/LocalImprovement.h"
 #include "Support/GridMesh.h"
 #include "Support/Invariants.h"
+#include "Support/WallStar.h"
 
 #include <gtest/gtest.h>
 
@@ -203,6 +204,23 @@ TEST_F(PointRemoval, LeavesOnlyTheWallsInAGapThatLayersFill)
   const RemovalResult result =
     remove(grid_mesh::make({ 10, 10, 4, flat, 0.15 }), planWith(0.2, { ZLow, ZHigh }));
   EXPECT_LE(result.remaining.size() * 100, result.marked) << result.text();
+}
+
+TEST_F(PointRemoval, RemovesWhatNoWallPointSeesWhole)
+{
+  const RemovalResult result =
+    remove(wall_star::meshOf(wall_star::cube(), { 0.4, 0.5, 0.6 }), planWith(2, { 1 }));
+  EXPECT_EQ(result.marked, 1u);
+  EXPECT_TRUE(result.remaining.empty()) << result.text();
+}
+
+TEST_F(PointRemoval, CountsThePointsThatTheSpaceBetweenWallsNeeds)
+{
+  const RemovalResult result =
+    remove(wall_star::meshOf(wall_star::schoenhardt(), { 0, 0, 0.5 }), planWith(2, { 1 }));
+  EXPECT_EQ(result.marked, 1u);
+  EXPECT_EQ(result.remaining, std::vector<Index>{ 6 });
+  EXPECT_EQ(result.neededByShape, 1u);
 }
 
 TEST_F(PointRemoval, KeepsInterfacesAsTheyAre)
