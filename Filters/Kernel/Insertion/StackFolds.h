@@ -9,7 +9,7 @@
 
 namespace ransmesh
 {
-// Before the front rises: halves the columns of faces whose slab, taken as one layer of full height, has a
+// Before the front rises: lowers, step by step, the columns of faces whose slab, taken as one layer of full height, has a
 // tetrahedron that is not positive, and the highest columns of those whose stack has one, until none has. Gives the
 // boundary's faces that still fold with their columns as low as they can be, and with the tops where they are now: to
 // raise the front with these would be in vain. faces: all of them, as collectBaseFaces gives them.

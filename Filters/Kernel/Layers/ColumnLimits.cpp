@@ -43,12 +43,9 @@ void limitHeight(ColumnSet& set, Column& column, double height, StopReason why)
     column.limit(levelBelow(set, column, height), why);
     return;
   }
-  if (column.squeezed == None)
-  {
-    column.squeezed = static_cast<Index>(set.squeezed.size());
-    set.squeezed.emplace_back();
-  }
-  set.squeezed[column.squeezed] = set.heights[column.patch].squeezed(column.levels, height);
+  // In a fan columns share their heights until one is lowered.
+  column.squeezed = static_cast<Index>(set.squeezed.size());
+  set.squeezed.push_back(set.heights[column.patch].squeezed(column.levels, height));
 }
 
 void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set)

@@ -130,6 +130,23 @@ TEST(StackFolds, NoStackFoldsAsPlannedWhenTheColumnsAreLimited)
   EXPECT_GT(lowered, 100U);
 }
 
+TEST(StackFolds, WhereALittleIsEnoughColumnsKeepTheirLayers)
+{
+  Plate plate(4);
+  Column& leaning = plate.set.columns[12];
+  leaning.direction = { 1.15, 0, 1 }; // its top would come past the next one's
+  const auto standsAsPlanned = [&plate](const BaseFace& face) { return plate.stands(face, true); };
+  EXPECT_FALSE(std::all_of(plate.faces.begin(), plate.faces.end(), standsAsPlanned));
+  EXPECT_TRUE(limitByFolds(plate.mesh, plate.faces, plate.set).empty());
+  EXPECT_TRUE(std::all_of(plate.faces.begin(), plate.faces.end(), standsAsPlanned));
+  for (const Column& c : plate.set.columns)
+  {
+    EXPECT_EQ(c.levels, 12);
+    EXPECT_EQ(c.reason, StopReason::Complete);
+  }
+  EXPECT_LT(plate.set.thickness(leaning), 0.23);
+}
+
 TEST(StackFolds, WhatFoldsWithColumnsThatCannotBeLoweredIsTold)
 {
   Plate plate(4);

@@ -74,6 +74,18 @@ TEST(ColumnLimits, AColumnWithLittleMissingKeepsAllItsLayers)
   EXPECT_LT(c.levels, 13);
 }
 
+TEST(ColumnLimits, OfColumnsThatShareTheirHeightsOneIsLoweredAlone)
+{
+  Channel channel(1);
+  Column& c = channel.set.columns.front();
+  limitHeight(channel.set, c, 0.195, StopReason::Gap);
+  Column& other = channel.set.columns.back(); // as in a fan
+  other.squeezed = c.squeezed;
+  limitHeight(channel.set, other, 0.18, StopReason::Corner);
+  EXPECT_NEAR(channel.set.thickness(other), 0.18, 1e-12);
+  EXPECT_NEAR(channel.set.thickness(c), 0.195, 1e-12);
+}
+
 TEST(ColumnLimits, OfAColumnThatMissesLayersTheRestKeepTheirHeights)
 {
   Channel channel(1);
