@@ -34,6 +34,11 @@ struct Extent
     low = { std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z) };
     high = { std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z) };
   }
+  bool meets(const Extent& other) const
+  {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y &&
+      low.z <= other.high.z && other.low.z <= high.z;
+  }
   double largestLength() const { return std::fmax(length(0), std::fmax(length(1), length(2))); }
 };
 

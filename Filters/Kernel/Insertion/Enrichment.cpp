@@ -3,6 +3,7 @@
 #include "Insertion/EnrichedOutput.h"
 #include "Insertion/FanOpening.h"
 #include "Insertion/FirstRise.h"
+#include "Insertion/FrontCrossings.h"
 #include "Insertion/FrontImprovement.h"
 #include "Insertion/StackFolds.h"
 #include "Layers/ColumnBuilder.h"
@@ -126,6 +127,10 @@ Outcome enrich(const MeshData& input, const PatchTable& patches, const LayerPlan
     std::vector<BaseFace> faces = collectBaseFaces(mesh, set);
     orderFirstRise(mesh, faces, set);
     std::vector<Index> folded = limitByFolds(mesh, faces, set);
+    if (folded.empty() && limitByCrossings(mesh, set) > 0)
+    {
+      folded = limitByFolds(mesh, faces, set);
+    }
     if (folded.empty())
     {
       const BoundaryRules rules{ classify(mesh, patches), changeablePatches(patches, plan) };

@@ -1,41 +1,19 @@
-// Where the front would get in its own way.
+// Where the front, as it is planned, would get in its own way.
 //
-// Columns are limited by the gap to the opposite wall before they rise, but single points do not see everything: a
-// front may still run into another one, or into a wall. No connectivity helps there.
+// Columns are limited by the gap to the opposite wall, but what single points see is not all: beside concave edges,
+// between needles and at the ends of fans the triangles that the tops are to span may pass through each other, or
+// through a bare wall. No connectivity helps there: one top would be left far behind its neighbours.
 #pragma once
 
 #include "Layers/Column.h"
 #include "Mesh/TetMesh.h"
 
-#include <array>
-#include <map>
-#include <vector>
+#include <cstddef>
 
 namespace ransmesh
 {
-class FrontCrossings
-{
-public:
-  // Of the tops of these columns, which do not reach their last levels. Holds until the mesh changes.
-  FrontCrossings(const TetMesh& mesh, const ColumnSet& set, const std::vector<Index>& columns);
-
-  // Would the boundary's triangles at the top of the column, one of those given, pass through others, with the top at x,
-  // which is not above the column's last level, and all others where they are? Triangles that only touch, or that have
-  // a root in common, do not count.
-  bool wouldCross(Index column, const Vector3& x) const;
-
-private:
-  using Triangle = std::array<Index, 3>;
-  struct Surroundings
-  {
-    std::vector<Triangle> own;
-    std::vector<Triangle> near;
-  };
-
-  bool haveCommonRoot(const Triangle& a, const Triangle& b) const;
-
-  const TetMesh& mesh_;
-  const ColumnSet& set_;
-  std::map<Index, Surroundings> around_; // by column
-};
+// Lowers the columns at triangles of the planned front that pass through others, on both sides to one height, a little
+// below that at which they would touch; and those around them, so that heights do not differ by more than the usual
+// slope. Columns at triangles that only touch, or cannot be lowered, stay. Gives the number of columns lowered.
+std::size_t limitByCrossings(const TetMesh& mesh, ColumnSet& set);
 } // namespace ransmesh

@@ -89,7 +89,7 @@ public:
     {
       return false;
     }
-    settleStuckTops(groups);
+    settleStuckTops();
     return true;
   }
 
@@ -191,7 +191,7 @@ private:
     return moved;
   }
 
-  void settleStuckTops(const GroupRaising& groups)
+  void settleStuckTops()
   {
     for (std::size_t i = 0; i < set_.columns.size(); ++i)
     {
@@ -202,12 +202,7 @@ private:
         continue;
       }
       ++report_.stuck;
-      const int asked = column.levels;
       settle(c, column);
-      if (column.levels < asked && groups.wasHopeless(c))
-      {
-        column.reason = StopReason::Gap;
-      }
     }
   }
 

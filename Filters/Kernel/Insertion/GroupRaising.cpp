@@ -1,7 +1,5 @@
 #include "Insertion/GroupRaising.h"
 
-#include "Insertion/FrontCrossings.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,11 +9,13 @@ namespace ransmesh
 namespace
 {
 // Rings of tops that are taken along: first few, then more.
-constexpr int MostRings = 2;
+constexpr int MostRings = 4;
 // Larger groups cost more than they bring.
 constexpr std::size_t LargestGroup = 400;
+// Of all groups that are tried, so that no time is lost where many tops are stuck.
+constexpr std::size_t MostColumns = 2000;
 // From the lowest top's height to the largest one, each step so many times the one before.
-constexpr int Steps = 20;
+constexpr int Steps = 40;
 // From a wall the steps begin at this share of the largest height.
 constexpr double LowestStart = 1e-3;
 // In each step, and when they are lowered, all are tried so often: one makes room for another.
@@ -28,12 +28,6 @@ constexpr MoveEffort Effort{ LeastQualityOfMoves, 60 };
 
 bool GroupRaising::run(const Context& context)
 {
-  const std::vector<Index> stuck = stuckColumns();
-  if (stuck.empty())
-  {
-    return true;
-  }
-  findHopeless(stuck);
   for (int rings = 1; rings <= MostRings; ++rings)
   {
     isGrouped_.assign(set_.columns.size(), 0);
@@ -47,11 +41,7 @@ bool GroupRaising::run(const Context& context)
       {
         continue;
       }
-      const std::vector<Index> group = groupOf(c);
-      if (std::any_of(group.begin(), group.end(), [this](Index i) { return isHopeless_[i] == 0; }))
-      {
-        tryTogether(withRings(group, rings));
-      }
+      tryTogether(withRings(groupOf(c), rings));
     }
   }
   return true;
@@ -68,16 +58,6 @@ std::vector<Index> GroupRaising::stuckColumns() const
     }
   }
   return stuck;
-}
-
-void GroupRaising::findHopeless(const std::vector<Index>& stuck)
-{
-  isHopeless_.assign(set_.columns.size(), 0);
-  const FrontCrossings crossings(mesh_, set_, stuck);
-  for (const Index c : stuck)
-  {
-    isHopeless_[c] = crossings.wouldCross(c, set_.pointAt(set_.columns[c], front_.levelsReached(c) + 1));
-  }
 }
 
 // The stuck columns that are one's neighbours, their neighbours, and so on.
@@ -125,10 +105,11 @@ void GroupRaising::addAround(std::vector<Index>& columns, std::size_t which, Con
 
 void GroupRaising::tryTogether(const std::vector<Index>& columns)
 {
-  if (columns.size() > LargestGroup)
+  if (columns.size() > std::min(LargestGroup, MostColumns - tried_))
   {
     return;
   }
+  tried_ += columns.size();
   std::vector<double> before;
   double lowest = std::numeric_limits<double>::infinity();
   for (const Index c : columns)
@@ -198,6 +179,10 @@ void GroupRaising::raiseTowards(Index column, double share)
   for (int failures = 0; front_.share(column) < share && failures < MostFailures;)
   {
     const double wanted = std::min(share, front_.share(column) + step);
+    if (wanted <= front_.share(column)) // the step is lost in rounding
+    {
+      return;
+    }
     if (!moveTo(column, wanted))
     {
       step = (wanted - front_.share(column)) / 2;

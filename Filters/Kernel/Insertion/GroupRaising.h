@@ -28,17 +28,12 @@ public:
   {
   }
 
-  // Tries all tops that do not reach their columns' last levels, but those that cannot, as the front would cross
-  // itself. The mesh is valid at every moment, and no group ends with fewer levels than before. False if cancelled.
+  // Tries all tops that do not reach their columns' last levels. The mesh is valid at every moment, and no group ends with fewer levels than before. False if cancelled.
   bool run(const Context& context);
-
-  // After run: would the front have had to cross itself, or a wall, for the column's next level?
-  bool wasHopeless(Index column) const { return !isHopeless_.empty() && isHopeless_[column] != 0; }
 
 private:
   bool isStuck(Index column) const { return front_.levelsReached(column) < set_.columns[column].levels; }
   std::vector<Index> stuckColumns() const;
-  void findHopeless(const std::vector<Index>& stuck);
   std::vector<Index> groupOf(Index column);
   std::vector<Index> withRings(std::vector<Index> columns, int rings);
   template <class Condition>
@@ -57,8 +52,8 @@ private:
   Front& front_;
   FrontMoves& moves_;
   Traversal traversal_;
-  std::vector<char> isHopeless_; // by column: could its next level only be had if the front crossed itself?
-  std::vector<char> isGrouped_;  // by column: was it in a group of this round?
+  std::vector<char> isGrouped_; // by column: was it in a group of this round?
   std::vector<Index> ball_;
+  std::size_t tried_ = 0; // columns in groups
 };
 } // namespace ransmesh

@@ -5,11 +5,6 @@
 
 namespace ransmesh
 {
-namespace
-{
-constexpr double LargestSlope = 0.7;
-} // namespace
-
 int levelBelow(const ColumnSet& set, const Column& column, double height)
 {
   const LayerHeights& heights = set.heightsOf(column);

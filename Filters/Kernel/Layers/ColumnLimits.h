@@ -10,7 +10,10 @@ namespace ransmesh
 // No level whose spacing exceeds the isotropic fraction of the local size (the paper's section 3).
 void limitByIsotropicSize(const LayerPlan& plan, ColumnSet& set);
 
-// Heights of neighbours differ by no more than 0.7 of the distance between them, also where walls of other layers
+// By so much of the distance between their feet may the heights of neighbours differ.
+inline constexpr double LargestSlope = 0.7;
+
+// Heights of neighbours differ by no more than the largest slope allows, also where walls of other layers
 // begin, and where the wall ends in a surface without layers: no cliffs for tall layers, no effect on thin
 // ones.
 void limitBySlope(const TetMesh& mesh, const BoundaryStars& stars, ColumnSet& set);

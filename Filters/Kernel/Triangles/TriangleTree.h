@@ -36,6 +36,15 @@ public:
       visitBelow(0, ball, visit);
     }
   }
+  // Calls visit(triangle) for those in leaves whose boxes meet this one.
+  template <typename Visit>
+  void visitMeeting(const Extent& box, const Visit& visit) const
+  {
+    if (!nodes_.empty())
+    {
+      visitMeetingBelow(0, box, visit);
+    }
+  }
   // All triangles, those of one leaf after each other.
   const std::vector<Index>& inOrder() const { return triangles_; }
 
@@ -86,6 +95,23 @@ private:
     {
       visitBelow(far, ball, visit);
     }
+  }
+
+  template <typename Visit>
+  void visitMeetingBelow(Index node, const Extent& box, const Visit& visit) const
+  {
+    const Node& here = nodes_[node];
+    if (!here.box.meets(box))
+    {
+      return;
+    }
+    if (here.right == None)
+    {
+      std::for_each(triangles_.begin() + here.begin, triangles_.begin() + here.end, visit);
+      return;
+    }
+    visitMeetingBelow(node + 1, box, visit);
+    visitMeetingBelow(here.right, box, visit);
   }
 
   Index build(std::span<Placed> placed, Index begin);

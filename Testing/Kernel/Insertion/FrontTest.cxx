@@ -141,29 +141,6 @@ TEST(Front, ATopThatHasMostOfItsLastSpacingKeepsTheLevel)
   EXPECT_LT(top.share, 0.95);
 }
 
-TEST(Front, TopsThatMeetAnotherFrontStopForTheGap)
-{
-  TetMesh mesh = meshOf(make({ 4, 4, 4, [](const Vector3& p) {
-                                return Vector3{ p.x + 0.1 * p.z, p.y, p.z };
-                              } }));
-  LayerPlan plan = planFor(8, { ZLow, ZHigh }, 0.05, 12);
-  plan[ZLow].growthRate = 1;
-  plan[ZHigh].growthRate = 1;
-  plan[ZHigh].firstHeight = 0.07;
-  const PatchTable table = patches(PatchType::Symmetry);
-  ColumnSet set = buildColumns(mesh, BoundaryStars(mesh), table, plan); // not limited by the gap
-  RaisingReport report;
-  ASSERT_TRUE(raiseFront(mesh, set, classify(mesh, table), 10, Context(), report));
-  const auto count = [&set](StopReason why)
-  {
-    return std::count_if(
-      set.columns.begin(), set.columns.end(), [why](const Column& c) { return c.reason == why; });
-  };
-  EXPECT_GT(report.stuck, 10U);
-  EXPECT_GT(count(StopReason::Gap), 10);
-  EXPECT_LT(count(StopReason::Refused), 5);
-}
-
 TEST(Front, AFirstHeightIsReportedAsItIs)
 {
   LayerPlan plan = planFor(7, { ZLow }, 0.02, 1);
