@@ -273,3 +273,17 @@ TEST(ColumnBuilder, WhereAWallBendsAlongTheRidgeThereIsNoGrid)
     EXPECT_GT(std::fabs(columns.set.columns[corner.column].base.y - 0.5), 0.1);
   }
 }
+
+TEST(ColumnBuilder, WhereASideIsCurvedThereIsNoGrid)
+{
+  for (const double curve : { 0.0, 0.3 }) // its triangles differ by 6 degrees
+  {
+    const auto bent = [curve](const Vector3& p) {
+      return Vector3{ p.x, p.y - curve * p.x * p.z * (1 - p.y), p.z };
+    };
+    const Columns columns(make({ 4, 4, 4, bent }), patches(PatchType::Symmetry), { XLow, ZLow });
+    EXPECT_EQ(columns.at({ 0, 0, 0 })->hasGrid, curve == 0);
+    EXPECT_TRUE(columns.at({ 0, 0.5, 0 })->hasGrid);
+    EXPECT_TRUE(columns.at({ 0, 1, 0 })->hasGrid);
+  }
+}

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace
@@ -113,6 +114,18 @@ TEST(LayerPlanning, withoutTypesTheBoxSidesAreNoWalls)
     EXPECT_FALSE(plan[i].hasLayers()) << i;
   }
   EXPECT_TRUE(plan[7].hasLayers());
+}
+
+TEST(LayerPlanning, aPatchThatBendsALittleIsNoSideOfTheBox)
+{
+  MeshData mesh = box();
+  const std::vector<char> before = findBoxSides(mesh, 7);
+  EXPECT_EQ(std::count(before.begin() + 1, before.end(), 1), 6);
+  const std::size_t inMiddle = 4; // of the three by three points of the floor
+  ASSERT_EQ(mesh.points[inMiddle].z, 0);
+  mesh.points[inMiddle].z = 1e-6;
+  const std::vector<char> after = findBoxSides(mesh, 7);
+  EXPECT_EQ(std::count(after.begin() + 1, after.end(), 1), 5);
 }
 
 TEST(LayerPlanning, namedWallsReplaceThoseByType)
